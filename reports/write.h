@@ -1,0 +1,26 @@
+#pragma once
+
+#include "reports/record.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace wetfront::reports {
+
+/// Writes result.json (schema: result_schema.json), one CSV per figure and report.html into `folder`.
+/// Throws std::runtime_error naming the file that cannot be written. Files appear whole or not at all.
+void write_result(const Record& record, const std::filesystem::path& folder);
+
+/// Renders report.html again from the folder's result.json (`wetfront report DIR`).
+void render_again(const std::filesystem::path& folder);
+
+/// One page over several runs, with a verdict matrix and a link to each run's own page.
+void write_index(const std::vector<std::filesystem::path>& run_folders, const std::filesystem::path& page,
+                 const std::string& title);
+
+/// fields/<stem>_<index>.vtu and fields/<stem>.pvd for ParaView.
+void write_fields(const std::vector<FieldFile>& files, const std::filesystem::path& folder);
+
+Record read_result(const std::filesystem::path& result_json);
+
+}  // namespace wetfront::reports

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "verification/scene/scene.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace wetfront::verification {
+
+/// One or more complaints about a scene, each `file:line:column: problem (why). suggestion`.
+struct SceneError : std::runtime_error {
+  explicit SceneError(std::vector<std::string> messages);
+  std::vector<std::string> messages;
+};
+
+/// Reads and cross-checks a scene. Throws SceneError with every complaint found, in file order.
+Scene read_scene(const std::filesystem::path& path);
+
+/// The JSON Schema (draft 2020-12) of a scene, generated from the table of keys that the reader itself uses.
+std::string scene_schema();
+
+/// The same table as a Markdown reference page: key, unit, default, meaning.
+std::string scene_reference_page();
+
+/// A commented scene to start from (`wetfront new NAME`).
+std::string scene_template(const std::string& name);
+
+}  // namespace wetfront::verification
