@@ -23,11 +23,11 @@ struct PointCloud {
 struct Snapshot {
   double time = 0;  ///< s
   std::string stage;
-  std::vector<double> node_pressure;    ///< Pa, one per mesh node
-  std::vector<double> node_saturation;  ///< -, one per mesh node
-  std::vector<double> cell_pressure;    ///< Pa, at cell centres (or cell averages, where a scheme carries those)
-  std::vector<double> cell_saturation;  ///< -
-  PointCloud points;                    ///< empty where the solver has none
+  std::vector<double> node_pressure;     ///< Pa, one per mesh node
+  std::vector<double> node_saturation;   ///< -, one per mesh node
+  std::vector<double> cell_pressure;     ///< Pa, at cell centres (or cell averages, where a scheme carries those)
+  std::vector<double> cell_saturation;   ///< -
+  PointCloud points;                     ///< empty where the solver has none
   std::vector<Point> node_displacement;  ///< m; empty where the skeleton is rigid
 };
 

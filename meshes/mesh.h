@@ -44,11 +44,17 @@ struct Mesh {
   const Side& side(const std::string& name) const;
 };
 
-constexpr int nodes_per_cell(int dim) { return 1 << dim; }
-constexpr int nodes_per_face(int dim) { return 1 << (dim - 1); }
+constexpr int nodes_per_cell(int dim) {
+  return 1 << dim;
+}
+constexpr int nodes_per_face(int dim) {
+  return 1 << (dim - 1);
+}
 
 /// Index of the elevation coordinate: 0 in one dimension, 1 in two, 2 in three.
-constexpr int up_axis(int dim) { return dim - 1; }
+constexpr int up_axis(int dim) {
+  return dim - 1;
+}
 
 /// Throws std::invalid_argument, saying which cell or side and why, when indices are out of range,
 /// a cell is inverted or has no volume, or a side has faces that are not on the boundary of a cell.

@@ -1,0 +1,101 @@
+#include "meshes/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace wetfront::meshes {
+namespace {
+
+constexpr int search_axis = 0;
+
+std::array<double, 2> extent_of_cell(const Mesh& mesh, int cell) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int node : mesh.cell(cell)) {
+    low = std::min(low, mesh.nodes[node][search_axis]);
+    high = std::max(high, mesh.nodes[node][search_axis]);
+  }
+  return {low, high};
+}
+
+/// Bilinear weights of the unit square at (r, s), counter-clockwise.
+std::array<double, 4> bilinear(double r, double s) {
+  return {(1 - r) * (1 - s), r * (1 - s), r * s, (1 - r) * s};
+}
+
+/// Inverts the bilinear map of a quadrilateral by Newton's method; returns local coordinates.
+std::array<double, 2> local_coordinates(const Mesh& mesh, std::span<const int> cell, const Point& point) {
+  double r = 0.5, s = 0.5;
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    double residual[2] = {-point[0], -point[1]}, dr[2] = {}, ds[2] = {};
+    const auto weight = bilinear(r, s);
+    const double slope_r[4] = {-(1 - s), 1 - s, s, -s}, slope_s[4] = {-(1 - r), -r, r, 1 - r};
+    for (int i = 0; i < 4; ++i)
+      for (int axis = 0; axis < 2; ++axis) {
+        const double x = mesh.nodes[cell[i]][axis];
+        residual[axis] += weight[i] * x;
+        dr[axis] += slope_r[i] * x;
+        ds[axis] += slope_s[i] * x;
+      }
+    const double determinant = dr[0] * ds[1] - dr[1] * ds[0];
+    const double step_r = (residual[0] * ds[1] - residual[1] * ds[0]) / determinant;
+    const double step_s = (dr[0] * residual[1] - dr[1] * residual[0]) / determinant;
+    r -= step_r;
+    s -= step_s;
+    if (std::abs(step_r) + std::abs(step_s) < 1e-14) break;
+  }
+  return {r, s};
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const Mesh& mesh) : mesh_(&mesh), order_(mesh.cell_count()), lower_(mesh.cell_count()) {
+  if (mesh.dim > 2) throw std::invalid_argument("evaluating fields between nodes is implemented in 1 and 2 dimensions");
+  std::iota(order_.begin(), order_.end(), 0);
+  std::sort(order_.begin(), order_.end(),
+            [&](int a, int b) { return extent_of_cell(mesh, a)[0] < extent_of_cell(mesh, b)[0]; });
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const auto [from, to] = extent_of_cell(mesh, order_[i]);
+    lower_[i] = from;
+    largest_extent_ = std::max(largest_extent_, to - from);
+    low = std::min(low, from);
+    high = std::max(high, to);
+  }
+  tolerance_ = 1e-9 * (high - low);
+}
+
+Evaluator::Weights Evaluator::weights(const Point& point) const {
+  const double x = point[search_axis];
+  auto candidate = std::upper_bound(lower_.begin(), lower_.end(), x + tolerance_);
+  while (candidate != lower_.begin()) {
+    --candidate;
+    if (*candidate < x - largest_extent_ - tolerance_) break;
+    const auto cell = mesh_->cell(order_[candidate - lower_.begin()]);
+    if (mesh_->dim == 1) {
+      const double from = mesh_->nodes[cell[0]][0], to = mesh_->nodes[cell[1]][0], r = (x - from) / (to - from);
+      if (x >= from - tolerance_ && x <= to + tolerance_) return {{cell[0], cell[1]}, {1 - r, r}};
+      continue;
+    }
+    const auto [r, s] = local_coordinates(*mesh_, cell, point);
+    constexpr double slack = 1e-7;
+    if (r > -slack && r < 1 + slack && s > -slack && s < 1 + slack) {
+      const auto weight = bilinear(r, s);
+      return {{cell.begin(), cell.end()}, {weight.begin(), weight.end()}};
+    }
+  }
+  throw std::out_of_range("the point (" + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " +
+                          std::to_string(point[2]) + ") m lies outside the mesh");
+}
+
+double Evaluator::operator()(const std::vector<double>& nodal, const Point& point) const {
+  const Weights at = weights(point);
+  double value = 0;
+  for (std::size_t i = 0; i < at.node.size(); ++i) value += at.weight[i] * nodal[at.node[i]];
+  return value;
+}
+
+}  // namespace wetfront::meshes
