@@ -19,7 +19,7 @@ struct ColumnInfo {
 
 struct EffectInfo {
   std::string name;
-  Origin called_for_by;  ///< scene entry
+  Origin called_for_by;   ///< scene entry
   std::string equations;  ///< paper and equation
 };
 

@@ -66,8 +66,8 @@ struct Elastic {
 struct Soil {
   std::string name;
   double porosity;
-  double grain_density;           ///< kg/m3
-  double intrinsic_permeability;  ///< m2
+  double grain_density;                          ///< kg/m3
+  double intrinsic_permeability;                 ///< m2
   std::optional<RetentionSpec> retention;        ///< absent in a dry scene
   std::optional<PermeabilitySpec> permeability;  ///< absent in a dry scene
   std::optional<Elastic> elastic;                ///< absent: rigid skeleton
@@ -124,10 +124,10 @@ struct Stage {
   std::optional<LiquidScheme> liquid;  ///< absent in a dry scene
   double end_time = 0;                 ///< s
   TimeIntegrator integrator = TimeIntegrator::bdf2;
-  double time_tolerance = 1e-4;    ///< relative, of the error control of `seepage`
-  double largest_step = 0;         ///< s; 0: none but the scheme's own limit
-  double step_safety = 0.8;        ///< fraction of the stability limit used by conditionally stable schemes
-  double local_damping = 0;        ///< of the skeleton's out-of-balance force (Cundall), dynamic stages
+  double time_tolerance = 1e-4;  ///< relative, of the error control of `seepage`
+  double largest_step = 0;       ///< s; 0: none but the scheme's own limit
+  double step_safety = 0.8;      ///< fraction of the stability limit used by conditionally stable schemes
+  double local_damping = 0;      ///< of the skeleton's out-of-balance force (Cundall), dynamic stages
   MassBalance mass_balance = MassBalance::conservative;
   Origin origin;
 };
@@ -138,8 +138,8 @@ struct Problem {
   meshes::Mesh mesh;
   std::array<double, dim> gravity{};  ///< m/s2; zero: no gravity effect
   Origin gravity_origin;
-  std::optional<Water> water;  ///< absent: a dry scene
-  std::vector<Soil> soils;     ///< one per mesh region
+  std::optional<Water> water;            ///< absent: a dry scene
+  std::vector<Soil> soils;               ///< one per mesh region
   std::vector<double> initial_pressure;  ///< Pa at the mesh nodes; empty in a dry scene
   std::vector<WaterBoundary> water_boundary;
   std::vector<Fixity> fixities;

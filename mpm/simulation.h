@@ -9,7 +9,8 @@
 
 namespace wetfront::mpm {
 
-/// The whole state of a run: a run cut after any step and continued from this gives the same bits as an uninterrupted one.
+/// The whole state of a run: a run cut after any step and continued from this gives the same bits as an uninterrupted
+/// one.
 struct State {
   double time = 0;
   std::size_t stage = 0;

@@ -1,0 +1,82 @@
+#include "mpm/derive_effects.h"
+
+#include "mpm/gravity.h"
+#include "mpm/rigid_skeleton.h"
+
+#include <algorithm>
+
+namespace wetfront::mpm {
+
+namespace {
+
+template <int dim>
+bool has_elastic_soil(const Problem<dim>& problem) {
+  const auto elastic = [](const Soil& soil) { return soil.elastic.has_value(); };
+  const bool any = std::any_of(problem.soils.begin(), problem.soils.end(), elastic);
+  if (any && !std::all_of(problem.soils.begin(), problem.soils.end(), elastic))
+    throw CannotPlan(
+        "some soils are elastic and some are rigid (one skeleton effect acts on all points). Give every "
+        "soil an elastic law, or none");
+  return any;
+}
+
+template <int dim>
+void join_skeleton(StagePlan<dim>& plan) {
+  const Problem<dim>& problem = plan.problem;
+  if (!has_elastic_soil(problem)) {
+    plan.join(std::make_unique<RigidSkeleton<dim>>(problem.soils.front().origin));
+    return;
+  }
+  throw CannotPlan("an elastic skeleton is not built yet");
+}
+
+template <int dim>
+void join_liquid(StagePlan<dim>& plan) {
+  if (!plan.stage.liquid) return;
+  const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "'";
+  if (!plan.problem.water)
+    throw CannotPlan(where + " moves pore liquid, but the scene has no water. Add water or leave the stage dry");
+  if (*plan.stage.liquid == LiquidScheme::seepage) throw CannotPlan(where + ": seepage is not built yet");
+  throw CannotPlan(where + ": the two-velocity scheme is not built yet");
+}
+
+}  // namespace
+
+template <int dim>
+void check(const Problem<dim>& problem) {
+  if (problem.mesh.dim != dim)
+    throw CannotPlan("the mesh has dimension " + std::to_string(problem.mesh.dim) + ", the problem " +
+                     std::to_string(dim) + " (a column is a strip one cell wide in the MPM)");
+  if (problem.stages.empty()) throw CannotPlan("the problem has no stage. Add one");
+  double before = 0;
+  for (const Stage& stage : problem.stages) {
+    if (!(stage.end_time > before))
+      throw CannotPlan(stage.origin + ": stage '" + stage.name + "' ends at " + std::to_string(stage.end_time) +
+                       " s, not after the one before it. Put stages in order of their end times");
+    before = stage.end_time;
+  }
+  for (int region : problem.mesh.region)
+    if (region < 0 || static_cast<std::size_t>(region) >= problem.soils.size())
+      throw CannotPlan("the mesh has more regions than the problem has soils (every region needs one)");
+  if (problem.water && problem.initial_pressure.size() != problem.mesh.node_count())
+    throw CannotPlan("the scene has water, but no initial pressure for each of its " +
+                     std::to_string(problem.mesh.node_count()) + " mesh nodes. Say how the water lies at the start");
+}
+
+template <int dim>
+std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size_t stage, Fields<dim>& fields) {
+  auto plan = std::make_unique<StagePlan<dim>>(problem, stage, fields);
+  if (std::any_of(problem.gravity.begin(), problem.gravity.end(), [](double g) { return g != 0; }))
+    plan->join(std::make_unique<Gravity<dim>>(problem.gravity_origin));
+  join_skeleton(*plan);
+  join_liquid(*plan);
+  plan->check();
+  return plan;
+}
+
+template void check(const Problem<2>&);
+template void check(const Problem<3>&);
+template std::unique_ptr<StagePlan<2>> make_plan(const Problem<2>&, std::size_t, Fields<2>&);
+template std::unique_ptr<StagePlan<3>> make_plan(const Problem<3>&, std::size_t, Fields<3>&);
+
+}  // namespace wetfront::mpm
