@@ -42,6 +42,7 @@ struct Soil {
   Conductivity conductivity;
   double saturated_conductivity;  ///< Ks [m/s]
   double specific_storage = 0;    ///< sigma = n rho g / K_l [1/m], acts for psi > 0 only; 0: incompressible water
+  double porosity = 0;            ///< n, so that S = theta / n; 0: theta_s, i.e. S_max = 1
 };
 
 /// Rain per horizontal area; what the soil does not take runs off (psi <= 0 complementary to run-off >= 0).
@@ -71,7 +72,7 @@ enum class Integrator {
 };
 
 struct RichardsProblem {
-  meshes::Mesh mesh;  ///< dim 1, 2 or 3
+  meshes::Mesh mesh;                  ///< dim 1, 2 or 3
   meshes::Point gravity_direction{};  ///< unit vector, e.g. {-1} in one dimension
   double unit_weight = 9810;          ///< rho_l g [Pa/m]: turns psi into the pressures of the record
   std::vector<Soil> soils;            ///< one per mesh region

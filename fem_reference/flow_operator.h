@@ -1,0 +1,62 @@
+#pragma once
+
+#include "fem_reference/boundary.h"
+#include "fem_reference/cpu_clock.h"
+#include "fem_reference/discretisation.h"
+#include "fem_reference/linear_solver.h"
+#include "fem_reference/soil_law.h"
+
+#include <span>
+#include <vector>
+
+namespace wetfront::fem_reference {
+
+/// The discrete Richards operator (README, Eq 3):
+///   m_i dW_i/dt = R_i(psi),  R_i = - sum_q w_q K(psi_h) grad N_i . (grad psi_h - g) - drainage_i,
+/// with g the unit vector of gravity, psi_h at the Gauss points, m and the boundary lumped. All in m^dim/s.
+class FlowOperator {
+ public:
+  FlowOperator(const RichardsProblem& problem, const Discretisation& space, const Boundary& boundary);
+
+  /// Evaluates R, W and their derivatives' ingredients at psi [dof]; the results stay until the next call.
+  void evaluate(std::span<const double> head);
+  const std::vector<double>& inflow() const { return inflow_; }      ///< R_i [m^dim/s]
+  const std::vector<double>& water() const { return water_; }        ///< W_i [-], soils averaged by volume
+  const std::vector<double>& capacity() const { return capacity_; }  ///< dW_i/dpsi [1/m]
+  const std::vector<double>& volume() const { return volume_; }      ///< m_i [m^dim]
+  const std::vector<double>& drained() const { return drained_; }    ///< outflow per condition [m^dim/s]
+
+  /// m_i dW_i/dpsi delta_ij - tau dR_i/dpsi_j at the psi of the last evaluate().
+  void assemble(double tau, SparseMatrix& matrix) const;
+  SparseMatrix pattern() const;
+
+  /// W alone, without touching what evaluate() left.
+  std::vector<double> water_at(std::span<const double> head) const;
+  /// Water in the soil for given W [m^dim].
+  double stored(std::span<const double> water) const;
+
+  const Discretisation& space() const { return space_; }
+  const Boundary& boundary() const { return boundary_; }
+  const std::vector<SoilLaw>& laws() const { return laws_; }
+  Cost evaluation_cost;
+  mutable Cost assembly_cost;
+
+ private:
+  void evaluate_storage(std::span<const double> head);
+  void evaluate_flow(std::span<const double> head);
+  void evaluate_drainage(std::span<const double> head);
+  void make_pattern();
+
+  const Discretisation& space_;
+  const Boundary& boundary_;
+  std::vector<SoilLaw> laws_;
+  std::array<double, 3> gravity_;
+  std::vector<double> volume_, water_, capacity_, inflow_, drained_, drainage_slope_;
+  std::vector<double> drive_;                ///< grad psi - g, [cell][point][axis]
+  std::vector<ValueAndSlope> conductivity_;  ///< [cell][point]
+  SparseMatrix pattern_;
+  std::vector<int> diagonal_;  ///< [dof] -> entry
+  std::vector<int> entry_;     ///< [cell][local row][local column] -> entry
+};
+
+}  // namespace wetfront::fem_reference

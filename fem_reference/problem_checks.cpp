@@ -1,0 +1,137 @@
+#include "fem_reference/problem_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace wetfront::fem_reference {
+namespace {
+
+template <class... Parts>
+void require(bool good, const Parts&... parts) {
+  if (good) return;
+  std::ostringstream text;
+  (text << ... << parts);
+  throw std::invalid_argument(text.str());
+}
+
+std::string entry(const std::string& list, std::size_t index) {
+  return list + "[" + std::to_string(index) + "]";
+}
+
+bool positive(double x) {
+  return std::isfinite(x) && x > 0;
+}
+
+void check_retention(const Soil& soil, const std::string& where) {
+  std::visit(
+      [&](const auto& r) {
+        require(std::isfinite(r.theta_r) && r.theta_r >= 0, where, ".retention.theta_r: ", r.theta_r,
+                " (a water content is not negative)");
+        require(r.theta_s > r.theta_r && r.theta_s <= 1, where, ".retention.theta_s: ", r.theta_s,
+                " (must exceed theta_r = ", r.theta_r, " and not 1)");
+        require(positive(r.alpha), where, ".retention.alpha: ", r.alpha, " (must be positive, in 1/m)");
+        require(soil.porosity == 0 || (soil.porosity >= r.theta_s && soil.porosity <= 1), where,
+                ".porosity: ", soil.porosity, " (must be at least theta_s = ", r.theta_s, " and at most 1)");
+      },
+      soil.retention);
+  if (const auto* vg = std::get_if<VanGenuchten>(&soil.retention)) {
+    require(vg->n > 1 && std::isfinite(vg->n), where, ".retention.n: ", vg->n,
+            " (van Genuchten's m = 1 - 1/n needs n > 1)");
+  }
+}
+
+void check_soils(const RichardsProblem& problem) {
+  require(problem.soils.size() == problem.mesh.region_names.size(), "soils: ", problem.soils.size(),
+          " given (the mesh has ", problem.mesh.region_names.size(), " regions, one soil each)");
+  for (std::size_t s = 0; s < problem.soils.size(); ++s) {
+    const Soil& soil = problem.soils[s];
+    const std::string where = entry("soils", s) + (soil.name.empty() ? "" : " '" + soil.name + "'");
+    check_retention(soil, where);
+    require(positive(soil.saturated_conductivity), where, ".saturated_conductivity: ", soil.saturated_conductivity,
+            " (must be positive, in m/s)");
+    require(std::isfinite(soil.specific_storage) && soil.specific_storage >= 0, where,
+            ".specific_storage: ", soil.specific_storage, " (must not be negative)");
+    require(!std::holds_alternative<MualemConductivity>(soil.conductivity) ||
+                std::holds_alternative<VanGenuchten>(soil.retention),
+            where, ".conductivity: Mualem's closed form needs van Genuchten's retention curve");
+    if (const auto* law = std::get_if<ExponentialConductivity>(&soil.conductivity)) {
+      require(positive(law->alpha), where, ".conductivity.alpha: ", law->alpha, " (must be positive, in 1/m)");
+    }
+  }
+}
+
+void check_rain(const meshes::RainRecord& rain, const std::string& where) {
+  require(rain.start.size() == rain.intensity.size(), where, ".rain: ", rain.start.size(), " times for ",
+          rain.intensity.size(), " intensities (one each)");
+  for (std::size_t i = 0; i < rain.start.size(); ++i) {
+    require(std::isfinite(rain.start[i]) && (i == 0 || rain.start[i] > rain.start[i - 1]), where, ".rain.start[", i,
+            "]: ", rain.start[i], " (times must ascend)");
+    require(std::isfinite(rain.intensity[i]) && rain.intensity[i] >= 0, where, ".rain.intensity[", i,
+            "]: ", rain.intensity[i], " (rain is not negative)");
+  }
+}
+
+void check_boundary(const RichardsProblem& problem) {
+  std::set<std::string> seen;
+  for (std::size_t b = 0; b < problem.boundary.size(); ++b) {
+    const std::string& side =
+        std::visit([](const auto& c) -> const std::string& { return c.side; }, problem.boundary[b]);
+    const std::string where = entry("boundary", b) + " '" + side + "'";
+    const auto& sides = problem.mesh.sides;
+    std::string known;
+    for (const meshes::Side& s : sides) known += (known.empty() ? "" : ", ") + s.name;
+    require(std::any_of(sides.begin(), sides.end(), [&](const meshes::Side& s) { return s.name == side; }), where,
+            ": the mesh has no such side (it has: ", known, ")");
+    require(seen.insert(side).second, where, ": a second condition on this side (one each)");
+    if (const auto* rain = std::get_if<RainSide>(&problem.boundary[b])) check_rain(rain->rain, where);
+    if (const auto* head = std::get_if<HeadSide>(&problem.boundary[b])) {
+      require(std::isfinite(head->head), where, ".head: not a number");
+    }
+  }
+}
+
+void check_times(const RichardsProblem& problem) {
+  require(positive(problem.end_time), "end_time: ", problem.end_time, " (must be positive, in s)");
+  double last = 0;
+  for (std::size_t i = 0; i < problem.output_times.size(); ++i) {
+    const double t = problem.output_times[i];
+    require(t >= last && t <= problem.end_time, entry("output_times", i), ": ", t,
+            " (must ascend and lie within [0, end_time = ", problem.end_time, "])");
+    last = t;
+  }
+}
+
+void check_gravity(const RichardsProblem& problem) {
+  double square = 0;
+  for (int axis = 0; axis < problem.mesh.dim; ++axis) {
+    square += problem.gravity_direction[axis] * problem.gravity_direction[axis];
+  }
+  // Zero switches gravity off (horizontal infiltration); anything else must be a unit vector.
+  require(square == 0 || std::abs(square - 1) < 1e-9, "gravity_direction: length ", std::sqrt(square),
+          " (must be a unit vector, or zero for no gravity)");
+}
+
+}  // namespace
+
+void check_problem(const RichardsProblem& problem) {
+  require(problem.mesh.dim >= 1 && problem.mesh.dim <= 3, "mesh.dim: ", problem.mesh.dim, " (must be 1, 2 or 3)");
+  require(problem.mesh.cell_count() > 0, "mesh: no cells");
+  meshes::validate(problem.mesh);
+  check_gravity(problem);
+  check_soils(problem);
+  check_boundary(problem);
+  check_times(problem);
+  require(positive(problem.unit_weight), "unit_weight: ", problem.unit_weight, " (must be positive, in Pa/m)");
+  require(problem.initial_head.size() == problem.mesh.node_count(), "initial_head: ", problem.initial_head.size(),
+          " values (the mesh has ", problem.mesh.node_count(), " nodes)");
+  for (std::size_t i = 0; i < problem.initial_head.size(); ++i) {
+    require(std::isfinite(problem.initial_head[i]), entry("initial_head", i), ": not a number");
+  }
+  require(problem.tolerance > 0 && problem.tolerance <= 0.1, "tolerance: ", problem.tolerance,
+          " (must lie in (0, 0.1])");
+  require(problem.degree >= 1 && problem.degree <= 4, "degree: ", problem.degree, " (1 to 4)");
+}
+
+}  // namespace wetfront::fem_reference

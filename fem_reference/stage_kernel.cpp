@@ -1,0 +1,194 @@
+#include "fem_reference/stage_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wetfront::fem_reference {
+namespace {
+
+// Residual of a row as a water content [-]. reference.md: 1e-12 is a good constant; 1e-9 made the integrator's
+// error test see Newton noise in saturated rows, where W changes by sigma * dpsi only (141,618 steps, not 283).
+constexpr double newton_tolerance = 1e-12;
+// Quadratic convergence needs 2-5; what takes longer is cheaper with a smaller step.
+constexpr int max_iterations = 15;
+
+}  // namespace
+
+StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary)
+    : flow_(flow), boundary_(boundary), matrix_(flow.pattern()), linear_(make_linear_solver(matrix_)) {
+  const std::size_t n = flow.space().dof_count;
+  ponded_.assign(boundary.held().size(), 0);
+  released_.assign(boundary.held().size(), 0);
+  residual_.assign(n, 0);
+  rounding_.assign(n, 0);
+}
+
+bool StageKernel::is_held(std::size_t h) const {
+  return boundary_.held()[h].kind == HeldDof::Kind::head || ponded_[h] != 0;
+}
+
+double StageKernel::tolerance(int dof) const {
+  return newton_tolerance * flow_.volume()[dof] + rounding_[dof];
+}
+
+void StageKernel::evaluate(std::span<const double> head) {
+  flow_.evaluate(head);
+  ++evaluations;
+}
+
+void StageKernel::residual(std::span<const double> target, double tau) {
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    residual_[i] = flow_.volume()[i] * (flow_.water()[i] - target[i]) - tau * flow_.inflow()[i];
+  }
+  for (const HeldDof& held : boundary_.held()) residual_[held.dof] -= tau * held.rain;
+}
+
+// Held rows give the released water; their residual is then zero by definition. True when the set changed.
+bool StageKernel::update_active_set(double tau, std::span<const double> head) {
+  bool changed = false;
+  for (std::size_t h = 0; h < released_.size(); ++h) {
+    const HeldDof& held = boundary_.held()[h];
+    released_[h] = 0;
+    if (held.kind == HeldDof::Kind::head) {
+      released_[h] = -residual_[held.dof] / tau;
+      if (head[held.dof] != held.head) changed = true;  // the first guess may not know the given head
+    } else if (ponded_[h] != 0) {
+      // Release only beyond the Newton tolerance: otherwise rounding makes a neutral node chatter.
+      if (-residual_[held.dof] < -tolerance(held.dof)) {
+        ponded_[h] = 0;
+        changed = true;
+        continue;
+      }
+      released_[h] = std::max(0.0, -residual_[held.dof] / tau);
+      if (head[held.dof] != held.head) changed = true;
+    } else if (head[held.dof] > held.head) {
+      ponded_[h] = 1;
+      changed = true;
+    }
+    if (is_held(h)) residual_[held.dof] = 0;
+  }
+  return changed;
+}
+
+double StageKernel::worst_residual(int& dof, double& ratio) const {
+  double worst = 0;
+  ratio = 0;
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    const double r = std::abs(residual_[i]);
+    if (!(r <= std::numeric_limits<double>::max())) {
+      dof = static_cast<int>(i);
+      ratio = r;
+      return r;
+    }
+    ratio = std::max(ratio, r / tolerance(static_cast<int>(i)));
+    if (r / flow_.volume()[i] >= worst) {
+      worst = r / flow_.volume()[i];
+      dof = static_cast<int>(i);
+    }
+  }
+  return worst;
+}
+
+void StageKernel::hold_rows(std::span<const double> head) {
+  for (std::size_t h = 0; h < ponded_.size(); ++h) {
+    if (!is_held(h)) continue;
+    const HeldDof& held = boundary_.held()[h];
+    for (int k = matrix_.row_start[held.dof]; k < matrix_.row_start[held.dof + 1]; ++k) {
+      matrix_.value[k] = matrix_.column[k] == held.dof ? 1 : 0;
+    }
+    residual_[held.dof] = head[held.dof] - held.head;
+  }
+}
+
+bool StageKernel::newton_step(double tau, std::span<double> head) {
+  flow_.assemble(tau, matrix_);
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < matrix_.size(); ++i) {
+    double scale = 0;
+    for (int k = matrix_.row_start[i]; k < matrix_.row_start[i + 1]; ++k) {
+      scale += std::abs(matrix_.value[k] * head[matrix_.column[k]]);
+    }
+    rounding_[i] = 4 * eps * scale;
+  }
+  hold_rows(head);
+  {
+    const CostTimer timer(linear_solve_cost);
+    if (!linear_->solve(matrix_, residual_)) return false;
+  }
+  for (std::size_t i = 0; i < head.size(); ++i) head[i] -= residual_[i];
+  for (std::size_t h = 0; h < ponded_.size(); ++h) {
+    if (is_held(h)) head[boundary_.held()[h].dof] = boundary_.held()[h].head;  // exactly, not to rounding
+  }
+  return true;
+}
+
+bool StageKernel::solve(std::span<const double> target, double tau, std::span<double> head) {
+  ++solves;
+  failure_ = {};
+  const std::vector<char> ponded_before = ponded_;
+  std::fill(rounding_.begin(), rounding_.end(), 0.0);
+  for (int iteration = 0;; ++iteration) {
+    evaluate(head);
+    residual(target, tau);
+    const bool changed = update_active_set(tau, head);
+    double ratio = 0;
+    failure_.residuals.push_back(worst_residual(failure_.dof, ratio));
+    failure_.head = head[failure_.dof];
+    if (!changed && ratio <= 1) return true;
+    if (!std::isfinite(ratio)) {
+      failure_.reason = "the residual is not a number";
+    } else if (iteration == max_iterations) {
+      failure_.reason = "no convergence in " + std::to_string(max_iterations) + " Newton iterations";
+    } else if (!newton_step(tau, head)) {
+      failure_.reason = "the Jacobian is singular";
+    }
+    if (!failure_.reason.empty()) break;
+    ++iterations;
+  }
+  ++failed_solves;
+  ponded_ = ponded_before;
+  return false;
+}
+
+std::vector<double> StageKernel::make_consistent(std::vector<double>& head) const {
+  const std::vector<double> before = flow_.water_at(head);
+  for (const HeldDof& held : boundary_.held()) {
+    if (held.kind == HeldDof::Kind::head || head[held.dof] > held.head) head[held.dof] = held.head;
+  }
+  const std::vector<double> after = flow_.water_at(head);
+  std::vector<double> taken(boundary_.condition_count(), 0.0);
+  for (const HeldDof& held : boundary_.held()) {
+    taken[held.condition] += flow_.volume()[held.dof] * (before[held.dof] - after[held.dof]);
+  }
+  return taken;
+}
+
+std::vector<double> StageKernel::rates(std::span<const double> head) {
+  evaluate(head);
+  std::vector<double> rate = flow_.inflow();
+  for (std::size_t h = 0; h < released_.size(); ++h) {
+    const HeldDof& held = boundary_.held()[h];
+    double& row = rate[held.dof];
+    row += held.rain;
+    ponded_[h] = held.kind == HeldDof::Kind::rain && head[held.dof] >= held.head && row > 0;
+    released_[h] = is_held(h) ? row : 0;
+    if (is_held(h)) row = 0;
+  }
+  for (std::size_t i = 0; i < rate.size(); ++i) rate[i] /= flow_.volume()[i];
+  return rate;
+}
+
+void StageKernel::ledger_rates(std::span<double> rates) const {
+  std::fill(rates.begin(), rates.end(), 0.0);
+  const std::size_t held_count = released_.size();
+  for (std::size_t h = 0; h < held_count; ++h) {
+    const HeldDof& held = boundary_.held()[h];
+    // Of what a rain side releases, the rain it was offered runs off; the rest seeps out of the soil.
+    if (held.kind == HeldDof::Kind::rain) rates[h] = std::min(released_[h], held.rain);
+    rates[held_count + held.condition] += released_[h] - rates[h];
+  }
+  for (int c = 0; c < boundary_.condition_count(); ++c) rates[held_count + c] += flow_.drained()[c];
+}
+
+}  // namespace wetfront::fem_reference
