@@ -20,7 +20,7 @@ struct Finding {
   double tolerance = 0;        ///< 0 for info
   std::string reason;          ///< why this tolerance
   Verdict verdict = Verdict::info;
-  double cpu_s = 0;  ///< CPU seconds that bought this number
+  double cpu_s = 0;         ///< CPU seconds that bought this number
   std::string explanation;  ///< a sentence for inconclusive or failed findings; may be empty
 };
 

@@ -1,0 +1,60 @@
+#include "reports/figure_data.h"
+
+#include "reports/csv.h"
+#include "reports/figure_script.h"
+#include "reports/palette.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace wetfront::reports {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json rounded(const std::vector<double>& values) {
+  Json array = Json::array();
+  for (const double value : values) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.7g", value);
+    array.push_back(std::isfinite(value) ? Json(std::stod(buffer)) : Json(nullptr));
+  }
+  return array;
+}
+
+Json axis_data(const Axis& axis, const std::string& label, const std::string& unit) {
+  return {{"from", axis.from}, {"to", axis.to}, {"log", axis.log}, {"label", label}, {"unit", unit == "1" ? "" : unit}};
+}
+
+}  // namespace
+
+std::string figure_data(const Figure& figure, const FigureAxes& axes) {
+  const FigureLayout layout = lay_out(figure);
+  const std::vector<int> indices = palette_indices(figure);
+  Json data;
+  data["box"] = {FigureLayout::left, layout.top, layout.right(), layout.bottom()};
+  data["x"] = axis_data(axes.x, figure.x_label, figure.x_unit);
+  data["y"] = axis_data(axes.y, figure.y_label, figure.y_unit);
+  data["series"] = Json::array();
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    const Series& series = figure.series[s];
+    const char* style = series.style == Series::Style::points   ? "points"
+                        : series.style == Series::Style::dashed ? "dashed"
+                                                                : "line";
+    data["series"].push_back({{"label", series.label},
+                              {"style", style},
+                              {"colour", colour_of(indices[s])},
+                              {"x", rounded(series.x)},
+                              {"y", rounded(series.y)}});
+  }
+  std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+  // A closing tag inside a string would end the <script> element.
+  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) text.replace(at, 2, "<\\/");
+  for (std::size_t at = 0; (at = text.find("<!--", at)) != std::string::npos; at += 9) text.replace(at, 1, "\\u003c");
+  return text;
+}
+
+}  // namespace wetfront::reports

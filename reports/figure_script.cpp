@@ -1,0 +1,162 @@
+#include "reports/figure_script.h"
+
+#include "reports/csv.h"
+#include "reports/escape.h"
+#include "reports/number_text.h"
+#include "reports/palette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace wetfront::reports {
+
+namespace {
+
+// Pixels. Text widths are estimated: a proportional font of size s takes about 0.55 s per character.
+constexpr double title_line = 20, note_line = 17, axis_strip = 52, legend_line = 19, sample = 30, gap = 18;
+constexpr double ink_size = 12, character = 0.56 * ink_size;
+
+std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::istringstream wrapped(wrap(text, width));
+  for (std::string line; std::getline(wrapped, line);) lines.push_back(line);
+  return lines;
+}
+
+/// gnuplot's `screen` coordinates of a pixel.
+std::string at(const FigureLayout& layout, double x, double y) {
+  return "screen " + exact_text(x / FigureLayout::width) + "," + exact_text(1 - y / layout.height);
+}
+
+void write_frame(std::ostream& out, const Figure& figure, const FigureLayout& layout) {
+  out << "reset\nset encoding utf8\nset datafile separator comma\nset minussign\n"
+      << "set terminal svg size " << FigureLayout::width << "," << layout.height
+      << " dynamic noenhanced font 'Helvetica,12' background '#ffffff'\n"
+      << "set output " << gnuplot_string(figure.id + ".svg") << "\n"
+      << "set lmargin at screen " << exact_text(FigureLayout::left / FigureLayout::width) << "\n"
+      << "set rmargin at screen " << exact_text(layout.right() / FigureLayout::width) << "\n"
+      << "set tmargin at screen " << exact_text(1 - layout.top / layout.height) << "\n"
+      << "set bmargin at screen " << exact_text(1 - layout.bottom() / layout.height) << "\n"
+      << "set border 3 linecolor rgb '#555555'\nset tics out nomirror scale 0.6,0.35 textcolor rgb '#333333'\n"
+      << "set grid xtics ytics linecolor rgb '#e4e4e4' linewidth 0.8 dashtype solid\nunset key\n";
+}
+
+void write_axis(std::ostream& out, const std::string& name, const Axis& axis, const std::string& label) {
+  out << "set " << name << "range [" << exact_text(axis.from) << ":" << exact_text(axis.to) << "] noextend\n";
+  if (axis.log) out << "set logscale " << name << "\n";
+  out << "set " << name << "tics (";
+  for (std::size_t i = 0; i < axis.ticks.size(); ++i)
+    out << (i ? ", " : "") << gnuplot_string(axis.ticks[i].label) << " " << exact_text(axis.ticks[i].at)
+        << (axis.ticks[i].label.empty() ? " 1" : " 0");
+  out << ")\nset " << name << "label " << gnuplot_string(label) << " textcolor rgb '#222222'\n";
+}
+
+void write_texts(std::ostream& out, const FigureLayout& layout) {
+  double y = 16;
+  for (const std::string& line : layout.title_lines) {
+    out << "set label " << gnuplot_string(line) << " at " << at(layout, 12, y)
+        << " left font 'Helvetica,15' textcolor rgb '#1a1a1a'\n";
+    y += title_line;
+  }
+  for (const std::string& line : layout.note_lines) {
+    out << "set label " << gnuplot_string(line) << " at " << at(layout, 12, y)
+        << " left font 'Helvetica,12' textcolor rgb '#5a5a5a'\n";
+    y += note_line;
+  }
+}
+
+/// Shaded windows lie behind the data, their labels above the plot, so that they cover nothing.
+void write_windows(std::ostream& out, const Figure& figure, const FigureLayout& layout, const Axis& x) {
+  for (const Figure::Window& window : figure.shaded) {
+    const double from = std::max(window.from, x.from), to = std::min(window.to, x.to);
+    if (!(from < to)) continue;
+    out << "set object rectangle from " << exact_text(from) << ", graph 0 to " << exact_text(to)
+        << ", graph 1 behind fillcolor rgb '#f1ece0' fillstyle solid noborder\n";
+    const double share = x.log ? std::log(from / x.from) / std::log(x.to / x.from) : (from - x.from) / (x.to - x.from);
+    out << "set label " << gnuplot_string(window.label) << " at "
+        << at(layout, FigureLayout::left + share * FigureLayout::plot_width + 2, layout.top - 8)
+        << " left font 'Helvetica,11' textcolor rgb '#7a6a45'\n";
+  }
+}
+
+std::string line_style(const Series& series, int index) {
+  return std::string("linewidth 1.8 dashtype ") + (series.style == Series::Style::dashed ? "(7,4)" : "solid") +
+         " linecolor rgb '" + colour_of(index) + "'";
+}
+
+std::string point_style(int index) {
+  return "pointtype " + std::to_string(mark_of(index)) + " pointsize 0.5 linewidth 1.4 linecolor rgb '" +
+         colour_of(index) + "'";
+}
+
+/// Drawn by hand below the plot: gnuplot's own key reserves widths for a font it does not have.
+void write_legend(std::ostream& out, const Figure& figure, const FigureLayout& layout) {
+  const std::vector<int> indices = palette_indices(figure);
+  const double column = FigureLayout::plot_width / static_cast<double>(layout.legend_columns);
+  for (std::size_t s = 0; s < figure.series.size(); ++s) {
+    const double x = FigureLayout::left + column * static_cast<double>(s % layout.legend_columns);
+    const double y = layout.bottom() + axis_strip + legend_line * static_cast<double>(s / layout.legend_columns) + 4;
+    const Series& series = figure.series[s];
+    if (series.style == Series::Style::points)
+      out << "set label '' at " << at(layout, x + sample / 2 - 3, y) << " point " << point_style(indices[s]) << "\n";
+    else
+      out << "set arrow from " << at(layout, x, y) << " to " << at(layout, x + sample - 6, y) << " nohead "
+          << line_style(series, indices[s]) << "\n";
+    out << "set label " << gnuplot_string(series.label) << " at " << at(layout, x + sample, y)
+        << " left textcolor rgb '#222222'\n";
+  }
+}
+
+/// Lines first, then points, so that the candidate's points lie over the reference's line.
+void write_plot(std::ostream& out, const Figure& figure) {
+  const std::vector<int> indices = palette_indices(figure);
+  std::string separator = "plot ";
+  for (const bool points : {false, true}) {
+    for (std::size_t s = 0; s < figure.series.size(); ++s) {
+      const Series& series = figure.series[s];
+      if ((series.style == Series::Style::points) != points) continue;
+      if (undrawable_points(figure, series) == series.x.size()) continue;
+      out << separator << gnuplot_string(figure.id + ".csv") << " every ::1 using " << 2 * s + 1 << ":" << 2 * s + 2
+          << " with " << (points ? "points " + point_style(indices[s]) : "lines " + line_style(series, indices[s]))
+          << " title " << gnuplot_string(series.label);
+      separator = ", \\\n  ";
+    }
+  }
+  if (separator == "plot ") out << "plot NaN notitle";
+  out << "\nunset output\n";
+}
+
+}  // namespace
+
+FigureLayout lay_out(const Figure& figure) {
+  FigureLayout layout;
+  layout.title_lines = lines_of(figure.title, 62);
+  layout.note_lines = lines_of(figure.note, 80);
+  std::size_t longest = 1;
+  for (const Series& series : figure.series) longest = std::max(longest, characters(series.label));
+  const double column = sample + gap + character * static_cast<double>(longest);
+  layout.legend_columns = std::clamp<std::size_t>(static_cast<std::size_t>(FigureLayout::plot_width / column), 1, 4);
+  layout.legend_rows = (figure.series.size() + layout.legend_columns - 1) / layout.legend_columns;
+  layout.top = 8 + title_line * static_cast<double>(layout.title_lines.size()) +
+               note_line * static_cast<double>(layout.note_lines.size()) + (figure.shaded.empty() ? 10 : 20);
+  layout.height = std::ceil(layout.bottom() + axis_strip + legend_line * static_cast<double>(layout.legend_rows) + 2);
+  return layout;
+}
+
+std::string figure_script(const Figure& figure, const FigureAxes& axes) {
+  const FigureLayout layout = lay_out(figure);
+  std::ostringstream out;
+  out << "# Draws " << wrap(figure.id, 100) << ".svg from " << figure.id << ".csv: gnuplot " << figure.id << ".gp\n";
+  write_frame(out, figure, layout);
+  write_axis(out, "x", axes.x, label_with_unit(figure.x_label, figure.x_unit));
+  write_axis(out, "y", axes.y, label_with_unit(figure.y_label, figure.y_unit));
+  out << "set xlabel offset 0,0.3\nset ylabel offset 0.6,0\n";
+  write_texts(out, layout);
+  write_windows(out, figure, layout, axes.x);
+  write_legend(out, figure, layout);
+  write_plot(out, figure);
+  return out.str();
+}
+
+}  // namespace wetfront::reports

@@ -1,0 +1,75 @@
+#include "reports/figures.h"
+
+#include "reports/csv.h"
+#include "reports/escape.h"
+#include "reports/figure_script.h"
+#include "reports/gnuplot.h"
+#include "reports/whole_file.h"
+
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+namespace wetfront::reports {
+
+namespace {
+
+void check(const std::vector<Figure>& figures) {
+  static const std::regex plain("[A-Za-z0-9_-]+");
+  std::set<std::string> seen;
+  for (const Figure& figure : figures) {
+    if (!std::regex_match(figure.id, plain))
+      throw std::runtime_error("figure id '" + figure.id + "' is not a file name stem (letters, digits, _ and -)");
+    if (!seen.insert(figure.id).second)
+      throw std::runtime_error("figure id '" + figure.id + "' is used twice (its files would overwrite each other)");
+    for (const Series& series : figure.series)
+      if (series.x.size() != series.y.size())
+        throw std::runtime_error("figure '" + figure.id + "': series '" + series.label + "' has " +
+                                 std::to_string(series.x.size()) + " x and " + std::to_string(series.y.size()) +
+                                 " y values");
+  }
+}
+
+/// From gnuplot's file to an element of the page: no prologue, ids made unique, tooltips of the plot groups removed,
+/// and a label for who cannot see it.
+std::string inline_svg(std::string svg, const Figure& figure) {
+  const std::size_t start = svg.find("<svg");
+  if (start == std::string::npos) throw std::runtime_error("gnuplot: wrote no SVG for figure '" + figure.id + "'");
+  svg.erase(0, start);
+  svg = std::regex_replace(svg, std::regex("<title>[^<]*</title>|<desc>[^<]*</desc>"), "");
+  svg = std::regex_replace(svg, std::regex("\\s+xmlns(:xlink)?=\"[^\"]*\""), "");
+  svg = std::regex_replace(svg, std::regex("xlink:href"), "href");
+  svg = std::regex_replace(svg, std::regex("(id=['\"]|href=['\"]#)(gp|gnuplot_|textbox|greybox)"),
+                           "$1" + figure.id + "_$2");
+  const std::string label = figure.title + (figure.note.empty() ? "" : ". " + figure.note);
+  return svg.replace(0, 4, "<svg role=\"img\" aria-label=\"" + html(label) + "\"");
+}
+
+}  // namespace
+
+std::vector<DrawnFigure> write_figures(const std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  check(figures);
+  if (figures.empty()) return {};
+  make_folder(folder);
+  const TemporaryFolder desk;
+  const std::vector<FigureAxes> axes = choose_axes(figures);
+  std::vector<std::filesystem::path> scripts;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const std::string csv = figure_csv(figures[i]), script = figure_script(figures[i], axes[i]);
+    write_whole(folder / (figures[i].id + ".csv"), csv);
+    write_whole(folder / (figures[i].id + ".gp"), script);
+    write_whole(desk.path() / (figures[i].id + ".csv"), csv);
+    write_whole(desk.path() / (figures[i].id + ".gp"), script);
+    scripts.push_back(figures[i].id + ".gp");
+  }
+  run_gnuplot(scripts, desk.path());
+  std::vector<DrawnFigure> drawn;
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const std::string svg = read_whole(desk.path() / (figures[i].id + ".svg"));
+    write_whole(folder / (figures[i].id + ".svg"), svg);
+    drawn.push_back({axes[i], inline_svg(svg, figures[i])});
+  }
+  return drawn;
+}
+
+}  // namespace wetfront::reports

@@ -1,0 +1,122 @@
+#include "reports/escape.h"
+#include "reports/number_text.h"
+#include "reports/page.h"
+#include "reports/tolerance_bar.h"
+#include "reports/verdict_table.h"
+#include "reports/whole_file.h"
+#include "reports/write.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace wetfront::reports {
+
+namespace {
+
+struct Run {
+  Record record;
+  std::string link;
+};
+
+/// All findings of one quantity in one run: the gravest verdict and the largest error in tolerances.
+struct Cell {
+  int findings = 0;
+  Verdict verdict = Verdict::info;
+  double share = 0;
+  Finding worst;
+};
+
+int gravity(Verdict verdict) {
+  return verdict == Verdict::fail ? 3 : verdict == Verdict::inconclusive ? 2 : verdict == Verdict::pass ? 1 : 0;
+}
+
+Cell cell_of(const Record& record, const std::string& quantity) {
+  Cell cell;
+  for (const Finding& finding : record.findings) {
+    if (finding.quantity != quantity) continue;
+    const double share = tolerance_share(finding);
+    if (++cell.findings == 1 || share > cell.share || std::isnan(finding.error)) {
+      cell.share = share;
+      cell.worst = finding;
+    }
+    if (gravity(finding.verdict) > gravity(cell.verdict)) cell.verdict = finding.verdict;
+  }
+  return cell;
+}
+
+std::vector<std::string> quantities_of(const std::vector<Run>& runs) {
+  std::vector<std::string> quantities;
+  for (const Run& run : runs)
+    for (const Finding& finding : run.record.findings)
+      if (finding.verdict != Verdict::info &&
+          std::find(quantities.begin(), quantities.end(), finding.quantity) == quantities.end())
+        quantities.push_back(finding.quantity);
+  return quantities;
+}
+
+/// "pressure_l2" may break after the underscore.
+std::string column_title(const std::string& quantity) {
+  std::string title = html(quantity);
+  for (std::size_t at = 0; (at = title.find('_', at)) != std::string::npos; at += 6) title.replace(at, 1, "_<wbr>");
+  return title;
+}
+
+std::string cell_html(const Cell& cell) {
+  if (cell.findings == 0) return "<td class=\"none\">–</td>";
+  const std::string tip = cell.worst.description + ": error " + quantity_text(cell.worst.error, cell.worst.unit) +
+                          ", tolerance " + quantity_text(cell.worst.tolerance, cell.worst.unit);
+  std::string text = "<td title=\"" + html(tip) + "\">" + badge(cell.verdict);
+  if (cell.verdict != Verdict::info) text += "<div class=\"small\">" + tolerance_bar(cell.worst) + "</div>";
+  if (cell.findings > 1) text += "<span class=\"count\">worst of " + std::to_string(cell.findings) + "</span>";
+  return text + "</td>";
+}
+
+std::string matrix(const std::vector<Run>& runs) {
+  const std::vector<std::string> quantities = quantities_of(runs);
+  std::ostringstream out;
+  out << "<div class=\"wide\"><table id=\"matrix\" class=\"matrix\"><thead><tr><th>Case</th><th>Verdict</th>";
+  for (const std::string& quantity : quantities) out << "<th><code>" << column_title(quantity) << "</code></th>";
+  out << "<th class=\"number\">CPU&nbsp;[s]</th></tr></thead><tbody>\n";
+  for (const Run& run : runs) {
+    out << "<tr><th scope=\"row\"><a href=\"" << html(run.link) << "\">"
+        << html(run.record.title.empty() ? run.record.case_name : run.record.title) << "</a><code>"
+        << html(run.record.case_name) << "</code></th><td>" << badge(run.record.verdict) << "</td>";
+    for (const std::string& quantity : quantities) out << cell_html(cell_of(run.record, quantity));
+    out << "<td class=\"number\">" << html(number_text(run.record.cpu_seconds)) << "</td></tr>\n";
+  }
+  out << "</tbody></table></div>\n";
+  return out.str();
+}
+
+std::string summary(const std::vector<Run>& runs) {
+  double cpu = 0;
+  Record verdicts;
+  for (const Run& run : runs) {
+    cpu += run.record.cpu_seconds;
+    verdicts.findings.emplace_back().verdict = run.record.verdict;
+  }
+  return "<p class=\"summary\"><span>" + std::to_string(runs.size()) + " runs</span><span>" + verdict_counts(verdicts) +
+         "</span><span>" + html(duration_text(cpu)) + " of CPU time</span></p>";
+}
+
+}  // namespace
+
+void write_index(const std::vector<std::filesystem::path>& run_folders, const std::filesystem::path& page,
+                 const std::string& title) {
+  const std::filesystem::path home = std::filesystem::absolute(page).parent_path();
+  make_folder(home);
+  std::vector<Run> runs;
+  for (const auto& folder : run_folders) {
+    const auto report = std::filesystem::absolute(folder) / "report.html";
+    runs.push_back({read_result(folder / "result.json"), url_path(report.lexically_relative(home).generic_string())});
+  }
+  const std::string body = "<header><p class=\"kind\">wetfront · overview</p><h1>" + html(title) + "</h1>" +
+                           summary(runs) + "</header>\n<main><section>\n" + matrix(runs) +
+                           "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
+                           "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
+                           "own uncertainty. A case’s name leads to its report.</p></section></main>\n";
+  write_whole(page, whole_page(title + " · wetfront", body));
+}
+
+}  // namespace wetfront::reports

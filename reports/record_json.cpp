@@ -1,0 +1,244 @@
+#include "reports/record_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace wetfront::reports {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What result.json promises to hold; "unknown" where the caller had nothing to say.
+constexpr const char* promised_provenance[] = {"git_hash", "dirty", "input_hash", "mesh_hash",
+                                               "compiler", "isa",   "threads",    "cpu"};
+
+Json number(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";
+  return value;
+}
+
+double number_from(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  const auto text = json.get<std::string>();
+  if (text == "NaN") return std::numeric_limits<double>::quiet_NaN();
+  if (text == "Infinity") return std::numeric_limits<double>::infinity();
+  if (text == "-Infinity") return -std::numeric_limits<double>::infinity();
+  throw std::runtime_error("'" + text + "' is not a number");
+}
+
+Json numbers(const std::vector<double>& values) {
+  Json array = Json::array();
+  for (const double value : values) array.push_back(number(value));
+  return array;
+}
+
+std::vector<double> numbers_from(const Json& json) {
+  std::vector<double> values;
+  for (const Json& value : json) values.push_back(number_from(value));
+  return values;
+}
+
+Verdict verdict_from(const std::string& key) {
+  for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::inconclusive, Verdict::info})
+    if (key == verdict_key(verdict)) return verdict;
+  throw std::runtime_error("'" + key + "' is not a verdict (pass, fail, inconclusive, info)");
+}
+
+const char* style_key(Series::Style style) {
+  return style == Series::Style::line ? "line" : style == Series::Style::dashed ? "dashed" : "points";
+}
+
+Series::Style style_from(const std::string& key) {
+  for (const auto style : {Series::Style::line, Series::Style::dashed, Series::Style::points})
+    if (key == style_key(style)) return style;
+  throw std::runtime_error("'" + key + "' is not a style (line, dashed, points)");
+}
+
+Json finding_json(const Finding& finding, const std::string& case_name) {
+  return {{"case", case_name},
+          {"quantity", finding.quantity},
+          {"description", finding.description},
+          {"group", finding.group},
+          {"unit", finding.unit},
+          {"error", number(finding.error)},
+          {"reference_bound", number(finding.reference_bound)},
+          {"tolerance", number(finding.tolerance)},
+          {"reason", finding.reason},
+          {"verdict", verdict_key(finding.verdict)},
+          {"cpu_s", number(finding.cpu_s)},
+          {"explanation", finding.explanation}};
+}
+
+Finding finding_from(const Json& json) {
+  Finding finding;
+  finding.quantity = json.at("quantity").get<std::string>();
+  finding.description = json.at("description").get<std::string>();
+  finding.group = json.at("group").get<std::string>();
+  finding.unit = json.at("unit").get<std::string>();
+  finding.error = number_from(json.at("error"));
+  finding.reference_bound = number_from(json.at("reference_bound"));
+  finding.tolerance = number_from(json.at("tolerance"));
+  finding.reason = json.at("reason").get<std::string>();
+  finding.verdict = verdict_from(json.at("verdict").get<std::string>());
+  finding.cpu_s = number_from(json.at("cpu_s"));
+  finding.explanation = json.at("explanation").get<std::string>();
+  return finding;
+}
+
+Json figure_json(const Figure& figure) {
+  Json json = {{"id", figure.id},           {"title", figure.title},   {"section", figure.section},
+               {"x_label", figure.x_label}, {"x_unit", figure.x_unit}, {"y_label", figure.y_label},
+               {"y_unit", figure.y_unit},   {"note", figure.note},     {"log_x", figure.log_x},
+               {"log_y", figure.log_y},     {"shaded", Json::array()}, {"series", Json::array()}};
+  for (const Figure::Window& window : figure.shaded)
+    json["shaded"].push_back({{"from", number(window.from)}, {"to", number(window.to)}, {"label", window.label}});
+  for (const Series& series : figure.series)
+    json["series"].push_back({{"label", series.label},
+                              {"style", style_key(series.style)},
+                              {"colour", series.colour},
+                              {"x", numbers(series.x)},
+                              {"y", numbers(series.y)}});
+  return json;
+}
+
+Figure figure_from(const Json& json) {
+  Figure figure;
+  figure.id = json.at("id").get<std::string>();
+  figure.title = json.at("title").get<std::string>();
+  figure.section = json.at("section").get<std::string>();
+  figure.x_label = json.at("x_label").get<std::string>();
+  figure.x_unit = json.at("x_unit").get<std::string>();
+  figure.y_label = json.at("y_label").get<std::string>();
+  figure.y_unit = json.at("y_unit").get<std::string>();
+  figure.note = json.at("note").get<std::string>();
+  figure.log_x = json.at("log_x").get<bool>();
+  figure.log_y = json.at("log_y").get<bool>();
+  for (const Json& window : json.at("shaded"))
+    figure.shaded.push_back(
+        {number_from(window.at("from")), number_from(window.at("to")), window.at("label").get<std::string>()});
+  for (const Json& item : json.at("series")) {
+    Series series;
+    series.label = item.at("label").get<std::string>();
+    series.style = style_from(item.at("style").get<std::string>());
+    series.colour = item.at("colour").get<int>();
+    series.x = numbers_from(item.at("x"));
+    series.y = numbers_from(item.at("y"));
+    figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+Json table_json(const Table& table) {
+  return {{"title", table.title},
+          {"section", table.section},
+          {"caption", table.caption},
+          {"header", table.header},
+          {"rows", table.rows}};
+}
+
+Table table_from(const Json& json) {
+  return {json.at("title").get<std::string>(), json.at("section").get<std::string>(),
+          json.at("caption").get<std::string>(), json.at("header").get<std::vector<std::string>>(),
+          json.at("rows").get<std::vector<std::vector<std::string>>>()};
+}
+
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// The document with each member on a line of its own and, of the arrays of objects, each element.
+std::string by_lines(const Json& document) {
+  std::string text = "{";
+  std::string comma = "\n";
+  for (const auto& [key, value] : document.items()) {
+    text += comma + " \"" + key + "\": ";
+    comma = ",\n";
+    if (!value.is_array() || value.empty()) {
+      text += dump(value);
+      continue;
+    }
+    std::string inner = "[\n";
+    for (const Json& element : value) {
+      text += inner + "  " + dump(element);
+      inner = ",\n";
+    }
+    text += "\n ]";
+  }
+  return text + "\n}\n";
+}
+
+Record record_from(const Json& json) {
+  const std::string schema = json.at("schema").get<std::string>();
+  if (schema != result_schema)
+    throw std::runtime_error("its schema is '" + schema + "' (this program reads '" + result_schema +
+                             "'). Use the version of wetfront that wrote it, or run the case again.");
+  Record record;
+  record.case_name = json.at("case").get<std::string>();
+  record.title = json.at("title").get<std::string>();
+  record.requirement = json.at("requirement").get<std::string>();
+  record.verdict = verdict_from(json.at("verdict").get<std::string>());
+  record.cpu_seconds = number_from(json.at("cpu_s"));
+  record.provenance = json.at("provenance").get<std::map<std::string, std::string>>();
+  for (const Json& finding : json.at("findings")) record.findings.push_back(finding_from(finding));
+  for (const Json& figure : json.at("figures")) record.figures.push_back(figure_from(figure));
+  for (const Json& table : json.at("tables")) record.tables.push_back(table_from(table));
+  record.plan_text = json.at("plan").get<std::string>();
+  record.log = json.at("log").get<std::vector<std::string>>();
+  record.scene_path = json.at("scene").at("path").get<std::string>();
+  record.scene_text = json.at("scene").at("text").get<std::string>();
+  return record;
+}
+
+}  // namespace
+
+const char* verdict_key(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::fail:
+      return "fail";
+    case Verdict::inconclusive:
+      return "inconclusive";
+    case Verdict::info:
+      return "info";
+  }
+  throw std::logic_error("verdict_key: not a Verdict");
+}
+
+std::string to_json(const Record& record) {
+  Json json;
+  json["schema"] = result_schema;
+  json["case"] = record.case_name;
+  json["title"] = record.title;
+  json["requirement"] = record.requirement;
+  json["verdict"] = verdict_key(record.verdict);
+  json["cpu_s"] = number(record.cpu_seconds);
+  std::map<std::string, std::string> provenance = record.provenance;
+  for (const char* key : promised_provenance) provenance.try_emplace(key, "unknown");
+  json["provenance"] = provenance;
+  json["findings"] = Json::array();
+  for (const Finding& finding : record.findings) json["findings"].push_back(finding_json(finding, record.case_name));
+  json["tables"] = Json::array();
+  for (const Table& table : record.tables) json["tables"].push_back(table_json(table));
+  json["plan"] = record.plan_text;
+  json["log"] = record.log;
+  json["scene"] = {{"path", record.scene_path}, {"text", record.scene_text}};
+  json["figures"] = Json::array();
+  for (const Figure& figure : record.figures) json["figures"].push_back(figure_json(figure));
+  return by_lines(json);
+}
+
+Record from_json(const std::string& text) {
+  try {
+    return record_from(Json::parse(text));
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(std::string("not a ") + result_schema + " file: " + error.what());
+  }
+}
+
+}  // namespace wetfront::reports

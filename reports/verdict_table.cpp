@@ -1,0 +1,96 @@
+#include "reports/verdict_table.h"
+
+#include "reports/escape.h"
+#include "reports/number_text.h"
+#include "reports/record_json.h"
+#include "reports/tolerance_bar.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace wetfront::reports {
+
+namespace {
+
+const char* word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "PASS";
+    case Verdict::fail:
+      return "FAIL";
+    case Verdict::inconclusive:
+      return "INCONCLUSIVE";
+    case Verdict::info:
+      return "INFO";
+  }
+  return "";
+}
+
+const char* sign_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "✓";
+    case Verdict::fail:
+      return "✕";
+    case Verdict::inconclusive:
+      return "?";
+    case Verdict::info:
+      return "i";
+  }
+  return "";
+}
+
+void write_row(std::ostream& out, const Finding& finding) {
+  const bool gated = finding.verdict != Verdict::info;
+  out << "<tr class=\"" << verdict_key(finding.verdict) << "\"><td>" << badge(finding.verdict)
+      << "</td><td class=\"what\">" << html(finding.description.empty() ? finding.quantity : finding.description)
+      << "<code>" << html(finding.quantity) << "</code>";
+  if (!finding.explanation.empty()) out << "<p class=\"explanation\">" << html(finding.explanation) << "</p>";
+  out << "</td><td class=\"number\">" << html(quantity_text(finding.error, finding.unit))
+      << "</td><td class=\"number\">" << html(quantity_text(finding.reference_bound, finding.unit, 2))
+      << "</td><td class=\"number\">" << (gated ? html(quantity_text(finding.tolerance, finding.unit)) : "–")
+      << "</td><td class=\"barcell\">" << tolerance_bar(finding) << "</td><td class=\"number\">"
+      << html(number_text(finding.cpu_s)) << "</td><td class=\"reason\">" << html(finding.reason) << "</td></tr>\n";
+}
+
+}  // namespace
+
+std::string badge(Verdict verdict) {
+  return std::string("<span class=\"badge ") + verdict_key(verdict) + "\"><span aria-hidden=\"true\">" +
+         sign_of(verdict) + "</span>\u00a0" + word_of(verdict) + "</span>";
+}
+
+std::string verdict_table(const Record& record) {
+  std::vector<std::string> groups;
+  for (const Finding& finding : record.findings)
+    if (std::find(groups.begin(), groups.end(), finding.group) == groups.end()) groups.push_back(finding.group);
+  std::ostringstream out;
+  out << "<div class=\"wide\"><table id=\"verdict-table\" "
+         "class=\"verdicts\"><thead><tr><th>Verdict</th><th>Quantity</th>"
+         "<th class=\"number\">Error</th><th class=\"number\">Reference bound</th><th class=\"number\">Tolerance</th>"
+         "<th>Error of tolerance</th><th class=\"number\">CPU&nbsp;[s]</th><th>Reason for the "
+         "tolerance</th></tr></thead>\n";
+  for (const std::string& group : groups) {
+    out << "<tbody>";
+    if (!group.empty())
+      out << "<tr class=\"group\"><th colspan=\"8\" scope=\"rowgroup\">" << html(group) << "</th></tr>\n";
+    for (const Finding& finding : record.findings)
+      if (finding.group == group) write_row(out, finding);
+    out << "</tbody>\n";
+  }
+  out << "</table></div>\n";
+  return out.str();
+}
+
+std::string verdict_counts(const Record& record) {
+  std::string text;
+  for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::inconclusive, Verdict::info}) {
+    const auto count = std::count_if(record.findings.begin(), record.findings.end(),
+                                     [verdict](const Finding& finding) { return finding.verdict == verdict; });
+    if (count == 0) continue;
+    text += (text.empty() ? "" : " · ") + std::to_string(count) + "\u00a0" + word_of(verdict);
+  }
+  return text;
+}
+
+}  // namespace wetfront::reports
