@@ -47,7 +47,7 @@ struct Geometry {
 };
 
 struct Water {
-  double density = 1000;       ///< kg/m3
+  double density = 1000;        ///< kg/m3
   double bulk_modulus = 2.2e9;  ///< Pa
   double viscosity = 1e-3;      ///< Pa s
   Origin origin;
@@ -78,7 +78,8 @@ struct Soil {
   double intrinsic_permeability;  ///< m2 (a saturated conductivity in the scene is converted with water and gravity)
   std::optional<Retention> retention;
   PermeabilityLaw permeability = PermeabilityLaw::mualem;
-  std::optional<Elastic> elastic;  ///< absent: rigid skeleton
+  double permeability_suction_scale = 0;  ///< Pa, for PermeabilityLaw::exponential: k_rel = exp(-s / scale)
+  std::optional<Elastic> elastic;         ///< absent: rigid skeleton
   Origin origin;
 };
 
@@ -105,7 +106,7 @@ enum class WaterCondition { impermeable, free_drainage, pressure, seepage_face }
 struct Boundary {
   std::string side;
   std::optional<WaterCondition> water;
-  double pressure = 0;  ///< Pa, for WaterCondition::pressure
+  double pressure = 0;                       ///< Pa, for WaterCondition::pressure
   std::optional<std::array<bool, 3>> fixed;  ///< skeleton: per axis
   Origin origin;
 };

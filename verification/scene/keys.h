@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The one table of what a scene may say. The reader validates with it, the suggestions for misspelt keys,
+/// the JSON Schema and the reference page are made from it.
+namespace wetfront::verification {
+
+enum class Takes {
+  text,      ///< a non-empty string
+  path,      ///< a file, relative to the scene's folder
+  quantity,  ///< a number with a unit in a string; a bare number (or "25 %") when the unit is "1"
+  count,     ///< a whole number
+  choice,    ///< one of `choices`
+  time,      ///< "1800 s" or "25 % of filling"
+  times,     ///< a list of those
+  vector,    ///< a list of two or three quantities
+  series,    ///< a list of [time, rain intensity]
+  table,     ///< a section of its own, named `section.name`
+};
+
+enum class Presence { required, optional };
+
+/// Bounds as the user would write them; "" for none. An open bound is itself not allowed.
+struct Range {
+  std::string from = {}, to = {};
+  bool open_from = false, open_to = false;
+};
+
+struct Key {
+  std::string section, name;
+  Takes takes;
+  std::string unit;  ///< SI unit of a quantity or vector; "1" for a pure number; else ""
+  Presence presence = Presence::required;
+  std::string fallback = {};  ///< of an optional key, as one would write it; "": the meaning says what absence means
+  std::string meaning = {}, example = {};
+  Range range = {};
+  std::vector<std::string> choices = {};
+  std::string with_key = {};                   ///< the key counts only with `with_key` at one of `with_choices`;
+  std::vector<std::string> with_choices = {};  ///< anywhere else it is an unused value
+};
+
+struct Section {
+  std::string name;     ///< "" for the top of the file; "soil.retention" for a table inside a section
+  bool list = false;    ///< written [[name]], any number of times
+  bool needed = false;  ///< a scene without it is not complete
+  std::string meaning;
+  std::vector<std::string> one_of;  ///< exactly one of these keys must be given
+};
+
+const std::vector<Section>& sections();
+const Section& section_named(const std::string& name);
+
+/// The keys of a section, in the order of the reference page.
+std::vector<const Key*> keys_of(const std::string& section);
+/// nullptr when the section has no such key.
+const Key* find_key(const std::string& section, const std::string& name);
+
+/// How a value of the key is written, ready to be pasted: `density = "1000 kg/m3"`.
+std::string assignment(const Key& key);
+
+}  // namespace wetfront::verification

@@ -1,0 +1,33 @@
+#include "verification/scene/quantities.h"
+
+namespace wetfront::verification {
+
+const std::vector<Quantity>& quantities() {
+  using Per = Quantity::Per;
+  static const std::vector<Quantity> all = {
+      {"pressure_l2", "1", Per::time, false, "pore pressure at cell centres, relative L2 against the reference"},
+      {"pressure_linf", "1", Per::time, false, "the same, largest difference over largest reference value"},
+      {"saturation_l2", "1", Per::time, false, "degree of saturation at cell centres, relative L2"},
+      {"saturation_linf", "1", Per::time, false, "the same, largest difference over largest reference value"},
+      {"front_position", "m", Per::time, false, "elevation of the wetting front"},
+      {"cumulative_infiltration", "1", Per::time, false, "rain taken by the soil since the start"},
+      {"ponding_time", "1", Per::run, false, "when the soil first refuses rain"},
+      {"filling_time", "1", Per::run, true, "when the soil is full, against storage deficit over rain"},
+      {"arrival_time", "1", Per::probe, false, "when the pressure at a probe exceeds 0.2 kPa"},
+      {"rise_rate", "1", Per::probe, false, "secant slope of the pressure at a probe between 0.2 and 4.9 kPa"},
+      {"water_balance", "1", Per::run, false, "stored water against what went in and out, nodal sums"},
+      {"rain_asked", "1", Per::run, false, "the solver's own record of the rain against the scene's"},
+      {"rain_delivered", "1", Per::run, false, "change of stored water plus outflow against rain asked less run-off"},
+      {"reference_balance", "1", Per::run, false, "water balance of the reference"},
+      {"overshoot", "Pa", Per::run, false, "largest pressure above the ponding limit at the surface"},
+  };
+  return all;
+}
+
+const Quantity* find_quantity(const std::string& name) {
+  for (const Quantity& quantity : quantities())
+    if (quantity.name == name) return &quantity;
+  return nullptr;
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,135 @@
+#include "verification/scene/filling_time.h"
+#include "verification/scene/quantities.h"
+#include "verification/scene/reading.h"
+#include "verification/scene/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+void read_reference(Reading& reading) {
+  auto section = section_of(reading.root, "reference", reading.complaints);
+  if (!section) return;
+  if (!reading.wet())
+    section->complain_at(section->place(),
+                         {"[reference] is not used", "there is no [water], and the reference computes nothing else",
+                          "Remove it, or add [water]."});
+  ReferenceSettings settings;
+  settings.cells = section->count("cells");
+  settings.tolerance = section->quantity("tolerance");
+  settings.backward_euler = section->choice("integrator") == "backward-euler";
+  settings.origin = section->origin();
+  reading.scene.reference = settings;
+  section->finish();
+}
+
+void check_times(SectionReader& section, const Scene& scene, const FillingTime& filling) {
+  const auto end = scene.stages.empty() ? std::nullopt : seconds_of(scene.stages.back().until, filling);
+  std::optional<double> before;
+  for (const SceneTime& time : scene.comparison.times) {
+    const Place place{time.origin.line, time.origin.column};
+    if (time.of_filling && !filling.why_not.empty())
+      section.complain_at(place, {"this scene has no filling time", filling.why_not, "Write a time as in \"1800 s\"."});
+    const auto seconds = seconds_of(time, filling);
+    if (seconds && end && *seconds > *end * (1 + 1e-12))
+      section.complain_at(place, {fmt::format("the comparison at {:.6g} s is never reached", *seconds),
+                                  fmt::format("the last stage ends at {:.6g} s", *end),
+                                  "Compare earlier, or let the last stage run on."});
+    if (seconds && before && *seconds <= *before)
+      section.complain_at(
+          place, {"the comparison times do not ascend", fmt::format("{:.6g} s follows {:.6g} s", *seconds, *before),
+                  "Sort them, each time once."});
+    before = seconds;
+  }
+}
+
+/// The allowed error in the unit of the quantity; NaN when wrong.
+double read_value(SectionReader& reader, const Quantity* quantity) {
+  const Value* written = reader.raw("value");
+  if (!written || !quantity) return std::nan("");
+  const double value = reader.item_quantity("value", *written, quantity->unit);
+  if (value <= 0)
+    reader.complain("value", {reader.shown("value") + " lets nothing pass", "an error is never below zero",
+                              "Write a positive value."});
+  if (quantity->unit == "1" && value > 1)
+    reader.complain("value", {reader.shown("value") + " gates nothing",
+                              "a relative error of more than 100 % would pass", "Write percent as in \"1 %\"."});
+  return value;
+}
+
+void check_time(SectionReader& reader, const Tolerance& gate, const Quantity& quantity, const Scene& scene) {
+  if (!gate.at) return;
+  if (quantity.per != Quantity::Per::time)
+    return reader.unused("at",
+                         gate.quantity + " is one value per " + (quantity.per == Quantity::Per::run ? "run" : "probe"),
+                         "Remove it.");
+  const FillingTime filling = filling_time(scene);
+  const auto at = seconds_of(*gate.at, filling);
+  const bool listed =
+      std::any_of(scene.comparison.times.begin(), scene.comparison.times.end(), [&](const SceneTime& time) {
+        const auto seconds = seconds_of(time, filling);
+        return !at || !seconds || std::abs(*seconds - *at) <= 1e-9 * std::abs(*at);
+      });
+  if (!listed)
+    reader.complain("at", {reader.shown("at") + " is no comparison time", "nothing is compared then",
+                           "Add it to the times of [comparison]."});
+}
+
+void check_probe(SectionReader& reader, const Tolerance& gate, const Quantity& quantity, const Scene& scene) {
+  if (quantity.per != Quantity::Per::probe)
+    return reader.unused("probe", gate.quantity + " is not measured at a probe", "Remove it.");
+  std::vector<std::string> names;
+  for (const Probe& probe : scene.probes) names.push_back(probe.name);
+  if (names.empty())
+    reader.complain("quantity", {gate.quantity + " needs a probe", "the scene has no [[probe]]", "Add one."});
+  else if (!gate.probe.empty() && std::find(names.begin(), names.end(), gate.probe) == names.end())
+    reader.complain("probe", {"there is no probe '" + gate.probe + "'", "the scene has " + alternatives(names),
+                              suggest(gate.probe, names, "Write")});
+}
+
+void read_tolerance(SectionReader& reader, Reading& reading) {
+  Scene& scene = reading.scene;
+  if (!reading.has_reference())
+    reader.complain_at(reader.place(), {"this gate is not used", "without [reference] nothing is compared",
+                                        "Remove it, or add [reference]."});
+  Tolerance gate;
+  gate.quantity = reader.choice("quantity");
+  gate.at = reader.time("at");
+  gate.probe = reader.text("probe");
+  gate.reason = reader.text("reason");
+  gate.origin = reader.origin();
+  const Quantity* quantity = find_quantity(gate.quantity);
+  gate.value = read_value(reader, quantity);
+  if (quantity) {
+    check_time(reader, gate, *quantity, scene);
+    check_probe(reader, gate, *quantity, scene);
+    const FillingTime filling = filling_time(scene);
+    if (quantity->needs_filling_time && !filling.why_not.empty())
+      reader.complain("quantity", {"this scene has no filling time", filling.why_not, "Remove this gate."});
+    if (quantity->per == Quantity::Per::time && scene.comparison.times.empty())
+      reader.complain("quantity", {gate.quantity + " is never evaluated", "the scene has no comparison times",
+                                   "Add [comparison] with times."});
+  }
+  scene.comparison.tolerances.push_back(gate);
+  reader.finish();
+}
+
+}  // namespace
+
+void read_comparison(Reading& reading) {
+  read_reference(reading);
+  if (auto section = section_of(reading.root, "comparison", reading.complaints)) {
+    reading.scene.comparison.times = section->times("times");
+    reading.scene.comparison.origin = section->origin();
+    check_times(*section, reading.scene, filling_time(reading.scene));
+    section->finish();
+  }
+  for (SectionReader& reader : sections_of(reading.root, "tolerance", reading.complaints))
+    read_tolerance(reader, reading);
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "verification/scene/scene.h"
+#include "verification/scene/section.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The parts of read_scene, in the order they run. Each fills its part of the scene and complains.
+namespace wetfront::verification {
+
+struct Reading {
+  const Value& root;
+  Complaints& complaints;
+  Scene& scene;
+
+  bool wet() const { return root.find("water") != nullptr; }
+  bool elastic() const;
+  bool has_reference() const { return root.find("reference") != nullptr; }
+  /// Sides of the built-in shapes; empty for a mesh file, whose sides are known once it is read.
+  std::vector<std::string> sides() const;
+};
+
+void read_top(Reading& reading);       // title, requirement, gravity
+void read_geometry(Reading& reading);  // geometry
+void read_soils(Reading& reading);     // water, soil
+void read_initial(Reading& reading);   // initial
+void read_rains(Reading& reading);     // rain
+void read_boundaries(Reading& reading);
+void read_probes(Reading& reading);
+void read_stages(Reading& reading);      // stage, mpm
+void read_comparison(Reading& reading);  // reference, comparison, tolerance
+
+/// A rain record from a file `time [unit], intensity [unit]`; complaints carry that file's lines.
+meshes::RainRecord read_rain_csv(const std::filesystem::path& path, Place named_at, Complaints& complaints);
+
+/// Times ascending, intensities >= 0: complains at `place(i)` of the first that is not. True when sound.
+struct RainFault {
+  std::size_t row;
+  Complaint complaint;
+};
+std::vector<RainFault> faults_of(const meshes::RainRecord& record);
+
+}  // namespace wetfront::verification
