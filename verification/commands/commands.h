@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The commands of `wetfront`, one file each. All return an exit code of architecture: 0 pass, 1 a comparison failed,
+/// 2 bad input, 3 a solver gave up, 4 inconclusive. Bad input is thrown and becomes 2 in main.
+namespace wetfront::verification::commands {
+
+using Paths = std::vector<std::filesystem::path>;
+
+int run(const Paths& scenes, const std::filesystem::path& out);
+int explain(const Paths& scenes);
+int check(const Paths& scenes);
+int reference(const std::filesystem::path& scene, const std::filesystem::path& out);
+int report(const std::filesystem::path& folder);
+int new_scene(const std::string& name);
+int schema(bool as_page);
+
+}  // namespace wetfront::verification::commands

@@ -1,0 +1,97 @@
+#include "mpm/problem.h"
+#include "verification/commands/commands.h"
+#include "verification/run/version.h"
+#include "verification/scene/read.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <functional>
+
+namespace {
+
+namespace commands = wetfront::verification::commands;
+
+constexpr const char* footer = R"(Examples:
+  wetfront run verification/cases/seed_column/scene_3e-5.toml
+  wetfront run verification/cases/seed_column/*.toml        several scenes, one index page
+  wetfront explain verification/cases/dry_column/scene.toml
+  wetfront new my_slope.toml
+
+Exit codes: 0 all pass, 1 a comparison failed, 2 bad input, 3 a solver gave up, 4 inconclusive.)";
+
+/// What every command can throw ends here as a message and an exit code.
+int guarded(const std::function<int()>& command) {
+  try {
+    return command();
+  } catch (const wetfront::verification::SceneError& error) {
+    for (const std::string& message : error.messages) fmt::print(stderr, "{}\n", message);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "wetfront: {}\n", error.what());
+  }
+  return 2;
+}
+
+struct Arguments {
+  commands::Paths scenes;
+  std::filesystem::path scene, folder, out;
+  std::string name;
+  bool page = false;
+};
+
+CLI::Option* add_scenes(CLI::App* command, Arguments& arguments) {
+  return command->add_option("SCENE", arguments.scenes, "scene files (.toml)")->required();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Verifies a material point method for rainfall-induced landslides against a finite-element Richards reference."};
+  app.name("wetfront");
+  app.footer(footer);
+  app.set_version_flag("--version", std::string("wetfront ") + wetfront::verification::version::number + " (" +
+                                        wetfront::verification::version::git_hash + ")");
+  app.require_subcommand(1);
+  Arguments arguments;
+  std::function<int()> command;
+  const auto add = [&](const char* name, const char* help, std::function<int()> action) {
+    CLI::App* subcommand = app.add_subcommand(name, help);
+    subcommand->callback([&command, action = std::move(action)] { command = action; });
+    return subcommand;
+  };
+
+  auto* run = add("run", "mesh -> reference -> MPM -> comparison -> report",
+                  [&] { return commands::run(arguments.scenes, arguments.out); });
+  add_scenes(run, arguments);
+  run->add_option("--out", arguments.out, "output folder (default out/<scene>; with several scenes the folder above)");
+
+  add_scenes(add("explain", "effects and what called for them, columns, step limits, cost; runs nothing",
+                 [&] { return commands::explain(arguments.scenes); }),
+             arguments);
+  add_scenes(add("check", "read and cross-check only", [&] { return commands::check(arguments.scenes); }), arguments);
+
+  auto* reference = add("reference", "the finite-element solution alone, with its own error",
+                        [&] { return commands::reference(arguments.scene, arguments.out); });
+  reference->add_option("SCENE", arguments.scene, "scene file (.toml)")->required();
+  reference->add_option("--out", arguments.out, "output folder (default out/<scene>_reference)");
+
+  auto* report = add("report", "render a result folder again from its result.json",
+                     [&] { return commands::report(arguments.folder); });
+  report->add_option("DIR", arguments.folder, "folder with a result.json")->required();
+
+  auto* fresh =
+      add("new", "write a commented scene to start from", [&] { return commands::new_scene(arguments.name); });
+  fresh->add_option("NAME", arguments.name, "file to write, e.g. my_slope.toml")->required();
+
+  auto* schema = add("schema", "print the JSON Schema of a scene", [&] { return commands::schema(arguments.page); });
+  schema->add_flag("--page", arguments.page, "print the key reference as Markdown instead");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return guarded(command);
+}

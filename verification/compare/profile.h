@@ -1,0 +1,37 @@
+#pragma once
+
+#include "meshes/field_history.h"
+
+#include <vector>
+
+namespace wetfront::verification {
+
+/// Pressure and saturation at the centres of the candidate's cells at one time: the common ground on which two
+/// solutions on different meshes are compared.
+struct Profile {
+  double time = 0;
+  std::vector<double> pressure;    ///< Pa
+  std::vector<double> saturation;  ///< -
+};
+
+/// Cell values of the candidate, one profile per snapshot.
+std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate);
+
+/// Another solution at the centres of `cells_of`'s cells. A one-dimensional solution is read at the centre's elevation.
+std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::Mesh& cells_of);
+
+/// Cell volumes, the weights of the norms.
+std::vector<double> cell_measures(const meshes::Mesh& mesh);
+
+/// ||a - b||_2 / ||b||_2 with weights (benchmarks: the norm used for every column).
+double relative_l2(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight);
+
+/// max |a - b| / max |b|.
+double relative_linf(const std::vector<double>& a, const std::vector<double>& b);
+
+/// Elevation where saturation, going down from the surface, first falls to the mean of its value in the uppermost
+/// cell and the driest cell below; NaN where the surface is (within 0.01) the driest, before the rain or after the
+/// front has met the water table. Columns only: `elevation` ascending, one value per cell.
+double front_elevation(const std::vector<double>& saturation, const std::vector<double>& elevation);
+
+}  // namespace wetfront::verification

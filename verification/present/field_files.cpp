@@ -1,0 +1,52 @@
+#include "verification/present/field_files.h"
+
+namespace wetfront::verification {
+namespace {
+
+std::vector<double> flattened(const std::vector<meshes::Point>& points) {
+  std::vector<double> flat;
+  for (const auto& point : points) flat.insert(flat.end(), point.begin(), point.end());
+  return flat;
+}
+
+reports::FieldFile grid_file(const meshes::FieldHistory& history, const meshes::Snapshot& snapshot,
+                             const std::string& stem) {
+  reports::FieldFile file;
+  file.stem = stem + "_grid";
+  file.time = snapshot.time;
+  file.dim = history.mesh.dim;
+  file.nodes = flattened(history.mesh.nodes);
+  file.cells = history.mesh.cells;
+  const auto add = [&](const char* name, bool per_cell, int components, const std::vector<double>& values) {
+    if (!values.empty()) file.fields.push_back({name, per_cell, components, values});
+  };
+  add("pore_pressure [Pa]", false, 1, snapshot.node_pressure);
+  add("saturation [-]", false, 1, snapshot.node_saturation);
+  add("cell_pore_pressure [Pa]", true, 1, snapshot.cell_pressure);
+  add("cell_saturation [-]", true, 1, snapshot.cell_saturation);
+  add("displacement [m]", false, 3, flattened(snapshot.node_displacement));
+  return file;
+}
+
+}  // namespace
+
+std::vector<reports::FieldFile> field_files(const meshes::FieldHistory& history, const std::string& stem) {
+  std::vector<reports::FieldFile> files;
+  for (const auto& snapshot : history.snapshots) files.push_back(grid_file(history, snapshot, stem));
+  for (const auto& snapshot : history.snapshots) {
+    if (snapshot.points.position.empty()) continue;
+    reports::FieldFile file;
+    file.stem = stem + "_points";
+    file.time = snapshot.time;
+    file.dim = history.mesh.dim;
+    file.nodes = flattened(snapshot.points.position);
+    if (!snapshot.points.pressure.empty())
+      file.fields.push_back({"pore_pressure [Pa]", false, 1, snapshot.points.pressure});
+    if (!snapshot.points.saturation.empty())
+      file.fields.push_back({"saturation [-]", false, 1, snapshot.points.saturation});
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,294 @@
+#include "verification/present/figures.h"
+
+#include "meshes/evaluate.h"
+#include "verification/compare/balance.h"
+#include "verification/compare/profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace wetfront::verification {
+namespace {
+
+using reports::Figure;
+using reports::Series;
+
+constexpr double kPa = 1000;
+constexpr double mm = 1e-3;
+
+/// At most `most` entries of a long series, ends included: enough for a figure, small enough for a page.
+std::vector<std::size_t> thinned(std::size_t size, std::size_t most = 400) {
+  std::vector<std::size_t> index;
+  const std::size_t stride = std::max<std::size_t>(1, (size + most - 1) / most);
+  for (std::size_t i = 0; i < size; i += stride) index.push_back(i);
+  if (size > 0 && index.back() != size - 1) index.push_back(size - 1);
+  return index;
+}
+
+Series line_over_height(const meshes::FieldHistory& history, const std::vector<double>& nodal, double unit) {
+  Series series;
+  const int up = meshes::up_axis(history.mesh.dim);
+  for (std::size_t i : thinned(nodal.size())) {
+    series.x.push_back(nodal[i] / unit);
+    series.y.push_back(history.mesh.nodes[i][up]);
+  }
+  return series;
+}
+
+Series points_over_height(const meshes::PointCloud& points, const std::vector<double>& value, double unit) {
+  Series series;
+  series.style = Series::Style::points;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    series.x.push_back(value[i] / unit);
+    series.y.push_back(points.position[i][1]);
+  }
+  return series;
+}
+
+std::string errors_at(const std::vector<Measurement>& measurements, const std::string& quantity) {
+  std::string text;
+  for (const Measurement& m : measurements)
+    if (m.quantity == quantity)
+      text += fmt::format("{}{:.2g} %", text.empty() ? "relative L2 error: " : ", ", 100 * m.error);
+  return text;
+}
+
+/// Which field of a profile a figure shows.
+struct Field {
+  std::string id, title, name, unit_name, quantity;
+  double unit;
+  std::vector<double> meshes::Snapshot::*nodal;
+  std::vector<double> meshes::PointCloud::*at_points;
+};
+
+const std::vector<Field>& column_fields() {
+  static const std::vector<Field> fields = {
+      {"pressure_profile", "Pore pressure over height", "pore pressure", "kPa", "pressure_l2", kPa,
+       &meshes::Snapshot::node_pressure, &meshes::PointCloud::pressure},
+      {"saturation_profile", "Saturation over height", "degree of saturation", "-", "saturation_l2", 1,
+       &meshes::Snapshot::node_saturation, &meshes::PointCloud::saturation}};
+  return fields;
+}
+
+Figure profile_figure(const Field& field) {
+  Figure figure;
+  figure.id = field.id;
+  figure.title = field.title;
+  figure.section = "Profiles";
+  figure.x_label = field.name;
+  figure.x_unit = field.unit_name;
+  figure.y_label = "elevation";
+  figure.y_unit = "m";
+  return figure;
+}
+
+/// Reference as line, material points over it, one colour per time.
+Figure profile(const Field& field, const Timeline& timeline, const Histories& histories) {
+  Figure figure = profile_figure(field);
+  const std::size_t times = std::min(histories.candidate.snapshots.size(), histories.reference.snapshots.size());
+  for (std::size_t t = 0; t < times; ++t) {
+    const std::string at = fmt::format("{:.4g} s", timeline.comparison_times[t]);
+    const auto& snapshot = histories.candidate.snapshots[t];
+    Series reference = line_over_height(histories.reference, histories.reference.snapshots[t].*field.nodal, field.unit);
+    reference.label = "reference, " + at;
+    Series candidate = points_over_height(snapshot.points, snapshot.points.*field.at_points, field.unit);
+    candidate.label = "MPM points, " + at;
+    reference.colour = candidate.colour = static_cast<int>(t);
+    figure.series.push_back(std::move(reference));
+    figure.series.push_back(std::move(candidate));
+  }
+  return figure;
+}
+
+Figure error_profile(const Histories& histories, const Timeline& timeline) {
+  Figure figure;
+  figure.id = "pressure_difference";
+  figure.title = "Pressure difference, MPM minus reference, at cell centres";
+  figure.section = "Profiles";
+  figure.x_label = "pressure difference";
+  figure.x_unit = "kPa";
+  figure.y_label = "elevation";
+  figure.y_unit = "m";
+  const auto candidate = cell_profiles(histories.candidate);
+  const auto reference = profiles_at_cells(histories.reference, histories.candidate.mesh);
+  for (std::size_t t = 0; t < std::min(candidate.size(), reference.size()); ++t) {
+    Series series;
+    series.label = fmt::format("{:.4g} s", timeline.comparison_times[t]);
+    series.colour = static_cast<int>(t);
+    for (std::size_t c = 0; c < candidate[t].pressure.size(); ++c) {
+      series.x.push_back((candidate[t].pressure[c] - reference[t].pressure[c]) / kPa);
+      series.y.push_back(histories.candidate.mesh.cell_centre(c)[meshes::up_axis(histories.candidate.mesh.dim)]);
+    }
+    figure.series.push_back(std::move(series));
+  }
+  return figure;
+}
+
+Series gauge_series(const meshes::Gauge& gauge) {
+  Series series;
+  for (std::size_t i : thinned(gauge.time.size())) {
+    series.x.push_back(gauge.time[i]);
+    series.y.push_back(gauge.pressure[i] / kPa);
+  }
+  return series;
+}
+
+void add_gauges(Figure& figure, const meshes::FieldHistory& history, const std::string& who, Series::Style style) {
+  int colour = 0;
+  for (const meshes::Gauge& gauge : history.gauges) {
+    Series series = gauge_series(gauge);
+    series.label = who + ", " + gauge.name;
+    series.style = style;
+    series.colour = colour++;
+    figure.series.push_back(std::move(series));
+  }
+}
+
+Figure gauge_figure() {
+  Figure figure;
+  figure.id = "pressure_at_probes";
+  figure.title = "Pore pressure at the probes";
+  figure.section = "Time series";
+  figure.x_label = "time";
+  figure.x_unit = "s";
+  figure.y_label = "pore pressure";
+  figure.y_unit = "kPa";
+  return figure;
+}
+
+using LedgerValue = std::function<double(const meshes::LedgerRow&)>;
+
+Series ledger_series(const meshes::FieldHistory& history, double area, const std::string& label,
+                     const LedgerValue& value) {
+  Series series;
+  series.label = label;
+  for (std::size_t i : thinned(history.ledger.size())) {
+    series.x.push_back(history.ledger[i].time);
+    series.y.push_back(value(history.ledger[i]) / area / mm);
+  }
+  return series;
+}
+
+Figure ledger_figure(const meshes::FieldHistory& history, double area, const std::string& who) {
+  Figure figure;
+  figure.id = "water_ledger";
+  figure.title = "Water of the " + who + ": asked, imposed, run off, delivered";
+  figure.section = "Flux audit";
+  figure.x_label = "time";
+  figure.x_unit = "s";
+  figure.y_label = "water per area";
+  figure.y_unit = "mm";
+  const double stored = history.ledger.front().stored;
+  const auto add = [&](const std::string& label, const LedgerValue& value) {
+    figure.series.push_back(ledger_series(history, area, label, value));
+  };
+  add("rain asked", [](const auto& row) { return row.rain_asked; });
+  add("imposed by the boundary", [](const auto& row) { return row.infiltrated; });
+  add("run off", [](const auto& row) { return row.run_off; });
+  add("delivered (stored + outflow)", [&](const auto& row) { return row.stored - stored + row.outflow; });
+  figure.series.back().style = Series::Style::dashed;
+  return figure;
+}
+
+Figure infiltration_figure(const Histories& histories, double area, double reference_area) {
+  Figure figure;
+  figure.id = "cumulative_infiltration";
+  figure.title = "Cumulative infiltration and outflow";
+  figure.section = "Flux audit";
+  figure.x_label = "time";
+  figure.x_unit = "s";
+  figure.y_label = "water per area";
+  figure.y_unit = "mm";
+  const auto infiltrated = [](const meshes::LedgerRow& row) { return row.infiltrated; };
+  const auto outflow = [](const meshes::LedgerRow& row) { return row.outflow; };
+  figure.series.push_back(ledger_series(histories.reference, reference_area, "reference, infiltrated", infiltrated));
+  figure.series.push_back(ledger_series(histories.candidate, area, "MPM, infiltrated", infiltrated));
+  figure.series.push_back(ledger_series(histories.reference, reference_area, "reference, outflow", outflow));
+  figure.series.push_back(ledger_series(histories.candidate, area, "MPM, outflow", outflow));
+  for (int i : {1, 3}) figure.series[i].style = Series::Style::dashed;
+  for (int i = 0; i < 4; ++i) figure.series[i].colour = i / 2;
+  return figure;
+}
+
+Series step_series(const meshes::FieldHistory& history, const std::string& label) {
+  Series series;
+  series.label = label;
+  for (std::size_t i : thinned(history.ledger.size() - 1)) {
+    const double step = history.ledger[i + 1].time - history.ledger[i].time;
+    if (!(step > 0)) continue;
+    series.x.push_back(history.ledger[i + 1].time);
+    series.y.push_back(step);
+  }
+  return series;
+}
+
+Figure step_figure() {
+  Figure figure;
+  figure.id = "time_steps";
+  figure.title = "Time steps taken";
+  figure.section = "Cost";
+  figure.x_label = "time";
+  figure.x_unit = "s";
+  figure.y_label = "step";
+  figure.y_unit = "s";
+  figure.log_y = true;
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const Histories& histories,
+                            const std::vector<Measurement>& measurements) {
+  std::vector<Figure> all;
+  const double area = std::max(rain_area(scene, histories.candidate.mesh), 1e-300);
+  if (std::holds_alternative<Column>(scene.geometry.shape)) {
+    for (const Field& field : column_fields()) {
+      all.push_back(profile(field, timeline, histories));
+      all.back().note = errors_at(measurements, field.quantity);
+    }
+    all.push_back(error_profile(histories, timeline));
+  }
+  Figure gauges = gauge_figure();
+  add_gauges(gauges, histories.reference, "reference", Series::Style::line);
+  add_gauges(gauges, histories.candidate, "MPM", Series::Style::dashed);
+  if (!gauges.series.empty()) all.push_back(std::move(gauges));
+  if (!scene.rains.empty()) {
+    all.push_back(infiltration_figure(histories, area, std::max(rain_area(scene, histories.reference.mesh), 1e-300)));
+    all.push_back(ledger_figure(histories.candidate, area, "MPM"));
+  }
+  Figure steps = step_figure();
+  steps.series = {step_series(histories.reference, "reference"), step_series(histories.candidate, "MPM")};
+  all.push_back(std::move(steps));
+  return all;
+}
+
+std::vector<Figure> figures_of_one(const Scene& scene, const meshes::FieldHistory& history, const std::string& who) {
+  std::vector<Figure> all;
+  const bool wet = scene.water.has_value();
+  for (const Field& field : column_fields()) {
+    if (!wet || !std::holds_alternative<Column>(scene.geometry.shape)) break;
+    Figure figure = profile_figure(field);
+    for (const meshes::Snapshot& snapshot : history.snapshots) {
+      Series series = line_over_height(history, snapshot.*field.nodal, field.unit);
+      series.label = fmt::format("{:.4g} s", snapshot.time);
+      figure.series.push_back(std::move(series));
+    }
+    if (!figure.series.empty()) all.push_back(std::move(figure));
+  }
+  Figure gauges = gauge_figure();
+  if (wet) add_gauges(gauges, history, who, Series::Style::line);
+  if (!gauges.series.empty()) all.push_back(std::move(gauges));
+  if (!scene.rains.empty() && !history.ledger.empty())
+    all.push_back(ledger_figure(history, std::max(rain_area(scene, history.mesh), 1e-300), who));
+  if (history.ledger.size() > 2) {
+    Figure steps = step_figure();
+    steps.series = {step_series(history, who)};
+    all.push_back(std::move(steps));
+  }
+  return all;
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,162 @@
+#include "verification/present/tables.h"
+
+#include "verification/compare/events.h"
+#include "verification/translate/initial_pressure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+using reports::Table;
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+std::string geometry_text(const Geometry& geometry) {
+  return std::visit(Overloaded{[](const Column& column) {
+                                 return fmt::format("column, {:g} m high, {} cells of {:g} m", column.height,
+                                                    column.cells, column.height / column.cells);
+                               },
+                               [](const Slope& slope) {
+                                 return fmt::format(
+                                     "slope, {:g} m long, {:g} m thick (vertical), {:g} degrees, {} x {} cells",
+                                     slope.length, slope.thickness, slope.angle * 180 / M_PI, slope.cells_along,
+                                     slope.cells_over);
+                               },
+                               [](const MeshFile& file) { return "mesh " + file.path.string(); }},
+                    geometry.shape);
+}
+
+std::string start_text(const InitialState& initial) {
+  if (const auto* uniform = std::get_if<UniformStart>(&initial.pressure))
+    return fmt::format("uniform {:g} kPa", uniform->pressure / 1e3);
+  const auto& start = std::get<HydrostaticStart>(initial.pressure);
+  std::string text = fmt::format("hydrostatic over a water table at {:g} m", start.water_table);
+  if (std::isfinite(start.suction_cap)) text += fmt::format(", suction capped at {:g} kPa", start.suction_cap / 1e3);
+  return text;
+}
+
+std::string retention_text(const Retention& retention) {
+  return std::visit(Overloaded{[](const VanGenuchten& law) {
+                                 return fmt::format("van Genuchten, p0 {:g} kPa, lambda {:g}, S {:g} to {:g}",
+                                                    law.air_entry / 1e3, law.lambda, law.s_min, law.s_max);
+                               },
+                               [](const Exponential& law) {
+                                 return fmt::format("exponential, scale {:g} kPa, S {:g} to {:g}",
+                                                    law.suction_scale / 1e3, law.s_min, law.s_max);
+                               }},
+                    retention);
+}
+
+std::string rain_text(const Rain& rain) {
+  if (rain.record.start.size() > 1)
+    return fmt::format("on '{}', a record of {} intensities", rain.side, rain.record.start.size());
+  const double intensity = rain.record.intensity.front();
+  return fmt::format("on '{}', {:.4g} m/s ({:.4g} mm/h)", rain.side, intensity, intensity * 3.6e6);
+}
+
+void add_soil(Table& table, const Soil& soil, const Scene& scene) {
+  table.rows.push_back(
+      {"soil '" + soil.name + "'", fmt::format("porosity {:g}, grains {:g} kg/m3, intrinsic permeability {:.4g} m2",
+                                               soil.porosity, soil.grain_density, soil.intrinsic_permeability)});
+  if (scene.water) {
+    const double conductivity =
+        soil.intrinsic_permeability * scene.water->density * gravity_magnitude(scene) / scene.water->viscosity;
+    table.rows.push_back({"saturated conductivity", fmt::format("{:.4g} m/s", conductivity)});
+  }
+  if (soil.retention) table.rows.push_back({"retention", retention_text(*soil.retention)});
+  table.rows.push_back({"skeleton", soil.elastic ? fmt::format("elastic, E {:g} MPa, nu {:g}",
+                                                               soil.elastic->young / 1e6, soil.elastic->poisson)
+                                                 : "rigid"});
+}
+
+}  // namespace
+
+Table cost_table(const std::string& who, const meshes::FieldHistory& history) {
+  Table table;
+  table.title = "Cost of the " + who;
+  table.section = "Cost";
+  table.header = {"phase", "kernel", "CPU [s]", "share [%]", "calls"};
+  for (const auto& cost : history.cost)
+    table.rows.push_back({cost.phase, cost.kernel, fmt::format("{:.4f}", cost.cpu_seconds),
+                          fmt::format("{:.1f}", 100 * cost.cpu_seconds / std::max(history.cpu_seconds, 1e-12)),
+                          std::to_string(cost.calls)});
+  table.rows.push_back({"", "total", fmt::format("{:.4f}", history.cpu_seconds), "100", ""});
+  table.caption = history.solver;
+  for (const auto& [name, value] : history.counters) table.caption += fmt::format("; {} {:g}", name, value);
+  return table;
+}
+
+Table ledger_table(const std::string& who, const meshes::FieldHistory& history, double area, const Timeline& timeline) {
+  Table table;
+  table.title = "Water ledger of the " + who;
+  table.section = "Flux audit";
+  table.caption = "Delivered is the change of stored water plus outflow: it does not use the boundary code.";
+  table.header = {"time [s]",     "rain asked [mm]", "imposed [mm]",          "run off [mm]",
+                  "outflow [mm]", "stored [mm]",     "delivered, nodal [mm]", "delivered, particles [mm]"};
+  if (history.ledger.empty()) return table;
+  using Row = meshes::LedgerRow;
+  std::vector<double> times = timeline.comparison_times;
+  times.push_back(history.ledger.back().time);
+  std::sort(times.begin(), times.end());
+  for (const double time : times) {
+    if (time > history.ledger.back().time) break;
+    const auto mm = [&](double Row::*column) { return 1000 * ledger_at(history.ledger, column, time) / area; };
+    const auto since_start = [&](double Row::*column) {
+      return mm(column) - 1000 * (history.ledger.front().*column) / area;
+    };
+    const double points = since_start(&Row::stored_points) + mm(&Row::outflow);
+    table.rows.push_back({fmt::format("{:.6g}", time), fmt::format("{:.4f}", mm(&Row::rain_asked)),
+                          fmt::format("{:.4f}", mm(&Row::infiltrated)), fmt::format("{:.4f}", mm(&Row::run_off)),
+                          fmt::format("{:.4f}", mm(&Row::outflow)), fmt::format("{:.4f}", mm(&Row::stored)),
+                          fmt::format("{:.6f}", since_start(&Row::stored) + mm(&Row::outflow)),
+                          std::isnan(points) ? "-" : fmt::format("{:.6f}", points)});
+  }
+  return table;
+}
+
+Table node_rain_table(const meshes::FieldHistory& history) {
+  Table table;
+  table.title = "Rain over each boundary node at the end of the run";
+  table.section = "Flux audit";
+  table.header = {"node", "x [m]", "y [m]", "asked [l/m]", "imposed [l/m]", "run off [l/m]"};
+  for (const auto& node : history.rain_by_node)
+    table.rows.push_back({std::to_string(node.node), fmt::format("{:.4g}", node.position[0]),
+                          fmt::format("{:.4g}", node.position[1]), fmt::format("{:.6f}", 1000 * node.asked),
+                          fmt::format("{:.6f}", 1000 * node.imposed), fmt::format("{:.6f}", 1000 * node.run_off)});
+  return table;
+}
+
+Table setup_table(const Scene& scene, const Timeline& timeline) {
+  Table table;
+  table.title = "Set-up";
+  table.section = "Set-up";
+  table.header = {"what", "value"};
+  table.rows.push_back({"geometry", geometry_text(scene.geometry)});
+  for (const Soil& soil : scene.soils) add_soil(table, soil, scene);
+  if (scene.water)
+    table.rows.push_back(
+        {"water", fmt::format("{:g} kg/m3, bulk modulus {:g} GPa, viscosity {:g} Pa s", scene.water->density,
+                              scene.water->bulk_modulus / 1e9, scene.water->viscosity)});
+  if (scene.initial) table.rows.push_back({"initial state", start_text(*scene.initial)});
+  for (const Rain& rain : scene.rains) table.rows.push_back({"rain", rain_text(rain)});
+  if (timeline.filling_time)
+    table.rows.push_back({"filling time", fmt::format("{:.6g} s (storage deficit / rain)", *timeline.filling_time)});
+  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+    table.rows.push_back(
+        {"stage '" + scene.stages[i].name + "'", fmt::format("until {:.6g} s", timeline.stage_end[i])});
+  table.rows.push_back({"points per cell", std::to_string(scene.mpm.points_per_cell)});
+  if (scene.reference)
+    table.rows.push_back({"reference", fmt::format("{} cells, tolerance {:g}; its error from {} cells, {:g}",
+                                                   scene.reference->cells, scene.reference->tolerance,
+                                                   2 * scene.reference->cells, scene.reference->tolerance / 10)});
+  return table;
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "reports/record.h"
+#include "verification/compare/histories.h"
+#include "verification/scene/scene.h"
+#include "verification/translate/timeline.h"
+
+#include <string>
+#include <vector>
+
+namespace wetfront::verification {
+
+/// What each solver spent, kernel by kernel, with counters.
+reports::Table cost_table(const std::string& who, const meshes::FieldHistory& history);
+
+/// The water ledger at the comparison times and at the end of a run [mm].
+reports::Table ledger_table(const std::string& who, const meshes::FieldHistory& history, double area,
+                            const Timeline& timeline);
+
+/// Rain asked, imposed and run off over each boundary node at the end [litres per metre].
+reports::Table node_rain_table(const meshes::FieldHistory& history);
+
+/// The scene in one table: geometry, soil, water, rain, numerics, with units.
+reports::Table setup_table(const Scene& scene, const Timeline& timeline);
+
+}  // namespace wetfront::verification

@@ -1,0 +1,67 @@
+#include "verification/run/provenance.h"
+
+#include "verification/run/version.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <ctime>
+#include <fstream>
+#include <string_view>
+
+namespace wetfront::verification {
+namespace {
+
+/// FNV-1a, 64 bits: names a content, protects nothing.
+class ContentHash {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) {
+      value_ ^= static_cast<unsigned char>(byte);
+      value_ *= 1099511628211ull;
+    }
+  }
+  template <class T>
+  void add(const std::vector<T>& values) {
+    add(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
+  }
+  std::string text() const { return fmt::format("{:016x}", value_); }
+
+ private:
+  std::uint64_t value_ = 14695981039346656037ull;
+};
+
+std::string processor() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string instruction_set() {
+#if defined(__AVX2__)
+  return "x86-64-v3 (compiled in)";
+#elif defined(__x86_64__)
+  return "x86-64 baseline";
+#else
+  return "baseline of this architecture";
+#endif
+}
+
+}  // namespace
+
+std::map<std::string, std::string> provenance(const Scene& scene, const meshes::Mesh& mesh) {
+  ContentHash input, grid;
+  input.add(scene.text);
+  grid.add(mesh.nodes);
+  grid.add(mesh.cells);
+  const std::time_t now = std::time(nullptr);
+  return {{"version", version::number},  {"git_hash", version::git_hash},
+          {"dirty", version::git_dirty}, {"input_hash", input.text()},
+          {"mesh_hash", grid.text()},    {"compiler", version::compiler},
+          {"isa", instruction_set()},    {"threads", "1"},
+          {"cpu", processor()},          {"date", fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(now))}};
+}
+
+}  // namespace wetfront::verification

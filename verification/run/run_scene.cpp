@@ -1,0 +1,143 @@
+#include "verification/run/run_scene.h"
+
+#include "mpm/plan.h"
+#include "mpm/simulation.h"
+#include "reports/write.h"
+#include "verification/compare/verdict.h"
+#include "verification/present/field_files.h"
+#include "verification/present/figures.h"
+#include "verification/present/plan_text.h"
+#include "verification/present/tables.h"
+#include "verification/run/progress.h"
+#include "verification/run/provenance.h"
+#include "verification/translate/scene_mesh.h"
+#include "verification/translate/to_mpm.h"
+#include "verification/translate/to_reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace wetfront::verification {
+namespace {
+
+Exit exit_for(reports::Verdict verdict) {
+  if (verdict == reports::Verdict::fail) return Exit::fail;
+  if (verdict == reports::Verdict::inconclusive) return Exit::inconclusive;
+  return Exit::pass;
+}
+
+void note_solver(reports::Record& record, const std::string& who, const Solved& solved) {
+  if (!solved.gave_up.empty()) record.log.push_back(who + " gave up: " + solved.gave_up);
+  for (const std::string& line : solved.history.log) record.log.push_back(who + ": " + line);
+  record.cpu_seconds += solved.history.cpu_seconds;
+}
+
+void add_candidate_tables(reports::Record& record, const Prepared& prepared, const meshes::FieldHistory& history) {
+  const double area = std::max(rain_area(prepared.scene, history.mesh), 1e-300);
+  if (!prepared.scene.rains.empty()) {
+    record.tables.push_back(ledger_table("MPM", history, area, prepared.timeline));
+    record.tables.push_back(node_rain_table(history));
+  }
+  record.tables.push_back(cost_table("MPM", history));
+}
+
+reports::Record start_record(const Prepared& prepared) {
+  const Scene& scene = prepared.scene;
+  reports::Record record;
+  record.case_name = case_name(scene.path);
+  record.title = scene.title;
+  record.requirement = scene.requirement;
+  record.scene_path = scene.path.string();
+  record.scene_text = scene.text;
+  record.plan_text = plan_text(mpm::plan(prepared.problem));
+  record.provenance = provenance(scene, prepared.problem.mesh);
+  record.tables.push_back(setup_table(scene, prepared.timeline));
+  return record;
+}
+
+/// Compares and judges; what a solver that gave up left behind is compared as far as it goes.
+void compare_into(reports::Record& record, const Prepared& prepared, RunResult& result) {
+  const Histories histories{result.candidate.history, result.reference.history, result.finer.history};
+  const auto measurements = measure(prepared.scene, prepared.timeline, histories);
+  record.findings = judge(prepared.scene, prepared.timeline, measurements, histories.candidate.cpu_seconds);
+  record.verdict = overall(record.findings);
+  record.figures = figures(prepared.scene, prepared.timeline, histories, measurements);
+  record.tables.push_back(ledger_table("reference", histories.reference,
+                                       std::max(rain_area(prepared.scene, histories.reference.mesh), 1e-300),
+                                       prepared.timeline));
+  record.tables.push_back(cost_table("reference", histories.reference));
+  record.tables.push_back(cost_table("finer reference (bounds the reference's error)", histories.finer));
+}
+
+}  // namespace
+
+Prepared prepare(const Scene& scene) {
+  Prepared prepared{scene, timeline(scene), {}};
+  prepared.problem = to_mpm(scene, mpm_mesh(scene), prepared.timeline);
+  return prepared;
+}
+
+Solved solve_reference(const Prepared& prepared, bool finer) {
+  const ReferenceSettings& settings = *prepared.scene.reference;
+  const Resolution resolution{settings.cells * (finer ? 2 : 1), settings.tolerance * (finer ? 0.1 : 1)};
+  const ProgressLine line(finer ? "reference, twice as fine" : "reference");
+  try {
+    return {fem_reference::solve(to_reference(prepared.scene, prepared.timeline, resolution), show_progress), ""};
+  } catch (const fem_reference::GaveUp& error) {
+    return {error.partial, error.what()};
+  }
+}
+
+Solved solve_candidate(const mpm::Problem<2>& problem) {
+  const ProgressLine line("MPM");
+  try {
+    return {mpm::run(problem, show_progress), ""};
+  } catch (const mpm::GaveUp& error) {
+    return {error.partial, error.what()};
+  }
+}
+
+RunResult run_prepared(const Prepared& prepared) {
+  RunResult result;
+  result.record = start_record(prepared);
+  reports::Record& record = result.record;
+  const bool compared = prepared.scene.reference.has_value();
+  if (compared) {
+    result.reference = solve_reference(prepared, false);
+    result.finer = solve_reference(prepared, true);
+    note_solver(record, "reference", result.reference);
+    note_solver(record, "finer reference", result.finer);
+  }
+  result.candidate = solve_candidate(prepared.problem);
+  note_solver(record, "MPM", result.candidate);
+  if (compared)
+    compare_into(record, prepared, result);
+  else
+    record.figures = figures_of_one(prepared.scene, result.candidate.history, "MPM");
+  add_candidate_tables(record, prepared, result.candidate.history);
+  result.exit = exit_for(record.verdict);
+  if (!result.candidate.gave_up.empty() || !result.reference.gave_up.empty() || !result.finer.gave_up.empty())
+    result.exit = Exit::gave_up;
+  return result;
+}
+
+RunResult run_scene(const Scene& scene, const std::filesystem::path& folder) {
+  RunResult result = run_prepared(prepare(scene));
+  std::filesystem::create_directories(folder);
+  reports::write_result(result.record, folder);
+  auto files = field_files(result.candidate.history, "mpm");
+  for (auto& file : field_files(result.reference.history, "reference")) files.push_back(std::move(file));
+  reports::write_fields(files, folder);
+  std::ofstream(folder / "scene.toml") << scene.text;
+  return result;
+}
+
+std::string case_name(const std::filesystem::path& scene) {
+  const std::string stem = scene.stem().string();
+  const std::string parent = std::filesystem::absolute(scene).parent_path().filename().string();
+  return stem == "scene" && !parent.empty() ? parent : stem;
+}
+
+}  // namespace wetfront::verification
