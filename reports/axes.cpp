@@ -100,7 +100,7 @@ Axis log_axis(double from, double to) {
   axis.to = round_end(to, false);
   if (!(axis.to > axis.from)) axis.to = 10 * axis.from;
   const double decades = std::log10(axis.to / axis.from);
-  const int every = std::max(1, static_cast<int>(std::ceil(decades / 7)));
+  const int every = std::max(1, static_cast<int>(std::ceil(decades / 10)));
   const int first = static_cast<int>(std::floor(std::log10(axis.from) + 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(axis.to) + 1e-9));
   for (int exponent = first; exponent <= last; ++exponent) {
@@ -112,7 +112,7 @@ Axis log_axis(double from, double to) {
         axis.ticks.push_back({at, power_of_ten(exponent)});
       else if (between)
         axis.ticks.push_back({at, std::to_string(m) + "·" + power_of_ten(exponent)});
-      else if (decades <= 7)
+      else if (decades <= 6)
         axis.ticks.push_back({at, ""});
     }
   }

@@ -47,6 +47,7 @@ std::string figure_data(const Figure& figure, const FigureAxes& axes) {
     data["series"].push_back({{"label", series.label},
                               {"style", style},
                               {"colour", colour_of(indices[s])},
+                              {"mark", "#" + figure.id + "_gpPt" + std::to_string(mark_of(indices[s]) - 1)},
                               {"x", rounded(series.x)},
                               {"y", rounded(series.y)}});
   }

@@ -14,8 +14,8 @@ namespace wetfront::reports {
 namespace {
 
 // Pixels. Text widths are estimated: a proportional font of size s takes about 0.55 s per character.
-constexpr double title_line = 20, note_line = 17, axis_strip = 52, legend_line = 19, sample = 30, gap = 18;
-constexpr double ink_size = 12, character = 0.56 * ink_size;
+constexpr double title_line = 20, note_line = 17, axis_strip = 56, legend_line = 19, sample = 30, gap = 10;
+constexpr double ink_size = 12, character = 0.5 * ink_size;
 
 std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
   std::vector<std::string> lines;
@@ -39,7 +39,7 @@ void write_frame(std::ostream& out, const Figure& figure, const FigureLayout& la
       << "set tmargin at screen " << exact_text(1 - layout.top / layout.height) << "\n"
       << "set bmargin at screen " << exact_text(1 - layout.bottom() / layout.height) << "\n"
       << "set border 3 linecolor rgb '#555555'\nset tics out nomirror scale 0.6,0.35 textcolor rgb '#333333'\n"
-      << "set grid xtics ytics linecolor rgb '#e4e4e4' linewidth 0.8 dashtype solid\nunset key\n";
+      << "set grid xtics ytics linetype 1 linecolor rgb '#e8e8e8' linewidth 0.8\nunset key\n";
 }
 
 void write_axis(std::ostream& out, const std::string& name, const Axis& axis, const std::string& label) {
@@ -56,7 +56,7 @@ void write_texts(std::ostream& out, const FigureLayout& layout) {
   double y = 16;
   for (const std::string& line : layout.title_lines) {
     out << "set label " << gnuplot_string(line) << " at " << at(layout, 12, y)
-        << " left font 'Helvetica,15' textcolor rgb '#1a1a1a'\n";
+        << " left font 'Helvetica:Bold,14' textcolor rgb '#1a1a1a'\n";
     y += title_line;
   }
   for (const std::string& line : layout.note_lines) {
@@ -86,7 +86,7 @@ std::string line_style(const Series& series, int index) {
 }
 
 std::string point_style(int index) {
-  return "pointtype " + std::to_string(mark_of(index)) + " pointsize 0.5 linewidth 1.4 linecolor rgb '" +
+  return "pointtype " + std::to_string(mark_of(index)) + " pointsize 0.7 linewidth 1.4 linecolor rgb '" +
          colour_of(index) + "'";
 }
 
@@ -137,6 +137,8 @@ FigureLayout lay_out(const Figure& figure) {
   for (const Series& series : figure.series) longest = std::max(longest, characters(series.label));
   const double column = sample + gap + character * static_cast<double>(longest);
   layout.legend_columns = std::clamp<std::size_t>(static_cast<std::size_t>(FigureLayout::plot_width / column), 1, 4);
+  // Reference and candidate come in pairs, which three columns would tear apart.
+  if (layout.legend_columns == 3 && figure.series.size() % 2 == 0) layout.legend_columns = 2;
   layout.legend_rows = (figure.series.size() + layout.legend_columns - 1) / layout.legend_columns;
   layout.top = 8 + title_line * static_cast<double>(layout.title_lines.size()) +
                note_line * static_cast<double>(layout.note_lines.size()) + (figure.shaded.empty() ? 10 : 20);
@@ -151,7 +153,7 @@ std::string figure_script(const Figure& figure, const FigureAxes& axes) {
   write_frame(out, figure, layout);
   write_axis(out, "x", axes.x, label_with_unit(figure.x_label, figure.x_unit));
   write_axis(out, "y", axes.y, label_with_unit(figure.y_label, figure.y_unit));
-  out << "set xlabel offset 0,0.3\nset ylabel offset 0.6,0\n";
+  out << "set xlabel offset 0,0.75\nset xtics offset 0,0.3\nset ylabel offset 0.3,0\n";
   write_texts(out, layout);
   write_windows(out, figure, layout, axes.x);
   write_legend(out, figure, layout);

@@ -9,7 +9,7 @@ namespace wetfront::reports {
 
 /// Where a figure's parts lie, in the pixels of its SVG. The plot itself has the same size in every figure.
 struct FigureLayout {
-  static constexpr double width = 560, plot_width = 466, plot_height = 300, left = 74;
+  static constexpr double width = 560, plot_width = 462, plot_height = 300, left = 78;
   std::vector<std::string> title_lines, note_lines;
   std::size_t legend_columns = 1, legend_rows = 1;
   double top = 0;  ///< upper edge of the plot

@@ -30,17 +30,35 @@ void check(const std::vector<Figure>& figures) {
   }
 }
 
-/// From gnuplot's file to an element of the page: no prologue, ids made unique, tooltips of the plot groups removed,
-/// and a label for who cannot see it.
+void replace_all(std::string& text, const std::string& old, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += with.size())
+    text.replace(at, old.size(), with);
+}
+
+void remove_elements(std::string& text, const std::string& name) {
+  const std::string closing = "</" + name + ">";
+  for (std::size_t at = 0; (at = text.find("<" + name + ">", at)) != std::string::npos;)
+    text.erase(at, text.find(closing, at) + closing.size() - at);
+}
+
+/// From gnuplot's file to an element of the page: no prologue and namespaces, ids made unique, tooltips of the plot
+/// groups removed, a label for who cannot see it. Marks get a white inside and a stronger outline than gnuplot's, so
+/// that they stand out from the line they lie on.
 std::string inline_svg(std::string svg, const Figure& figure) {
   const std::size_t start = svg.find("<svg");
   if (start == std::string::npos) throw std::runtime_error("gnuplot: wrote no SVG for figure '" + figure.id + "'");
   svg.erase(0, start);
-  svg = std::regex_replace(svg, std::regex("<title>[^<]*</title>|<desc>[^<]*</desc>"), "");
-  svg = std::regex_replace(svg, std::regex("\\s+xmlns(:xlink)?=\"[^\"]*\""), "");
-  svg = std::regex_replace(svg, std::regex("xlink:href"), "href");
-  svg = std::regex_replace(svg, std::regex("(id=['\"]|href=['\"]#)(gp|gnuplot_|textbox|greybox)"),
-                           "$1" + figure.id + "_$2");
+  remove_elements(svg, "title");
+  remove_elements(svg, "desc");
+  replace_all(svg, "xmlns=\"http://www.w3.org/2000/svg\"", "");
+  replace_all(svg, "xmlns:xlink=\"http://www.w3.org/1999/xlink\"", "");
+  replace_all(svg, "xlink:href", "href");
+  for (const std::string name : {"gp", "textbox", "greybox"})
+    for (const std::string place : {"id='", "href='#", "id=\""})
+      replace_all(svg, place + name, place + figure.id + "_" + name);
+  for (const std::string mark : {"gpPt3'", "gpPt5'", "gpPt7'"})
+    replace_all(svg, "id='" + figure.id + "_" + mark, "id='" + figure.id + "_" + mark + " fill='#fff'");
+  replace_all(svg, "stroke-width='0.222'", "stroke-width='0.4'");
   const std::string label = figure.title + (figure.note.empty() ? "" : ". " + figure.note);
   return svg.replace(0, 4, "<svg role=\"img\" aria-label=\"" + html(label) + "\"");
 }

@@ -111,11 +111,11 @@ void write_index(const std::vector<std::filesystem::path>& run_folders, const st
     const auto report = std::filesystem::absolute(folder) / "report.html";
     runs.push_back({read_result(folder / "result.json"), url_path(report.lexically_relative(home).generic_string())});
   }
-  const std::string body = "<header><p class=\"kind\">wetfront · overview</p><h1>" + html(title) + "</h1>" +
-                           summary(runs) + "</header>\n<main><section>\n" + matrix(runs) +
+  const std::string body = "<div class=\"overview\"><header><p class=\"kind\">wetfront · overview</p><h1>" +
+                           html(title) + "</h1>" + summary(runs) + "</header>\n<main><section>\n" + matrix(runs) +
                            "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
                            "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
-                           "own uncertainty. A case’s name leads to its report.</p></section></main>\n";
+                           "own uncertainty. A case’s name leads to its report.</p></section></main></div>\n";
   write_whole(page, whole_page(title + " · wetfront", body));
 }
 

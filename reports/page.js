@@ -147,7 +147,7 @@
       if (this.zoomed) this.zoomed.remove();
       const [left, top, right, bottom] = this.data.box, clip = this.figure.id + "-clip";
       const g = this.zoomed = this.svg.insertBefore(element("g", {class: "zoomed", "font-size": 12}), this.over);
-      g.append(element("rect", {x: left - 50, y: top - 7, width: right - left + 66, height: bottom - top + 28, fill: "#fff"}));
+      g.append(element("rect", {x: left - 46, y: top - 8, width: right - left + 64, height: bottom - top + 34, fill: "#fff"}));
       const clipping = g.appendChild(element("clipPath", {id: clip}));
       clipping.append(element("rect", {x: left, y: top, width: right - left, height: bottom - top}));
       for (const v of ticks(this.x)) {
@@ -177,7 +177,8 @@
         const y = series.y[i] === null ? NaN : this.py.pixel(series.y[i]);
         if (!Number.isFinite(x) || !Number.isFinite(y)) { pen = "M"; continue; }
         if (series.style === "points")
-          group.append(element("circle", {cx: x, cy: y, r: 3.2, fill: "none", stroke: series.colour, "stroke-width": 1.4}));
+          group.append(element("use", {href: series.mark, transform: `translate(${x},${y}) scale(3.15)`,
+            color: series.colour, fill: "none"}));
         else path += pen + x.toFixed(2) + " " + y.toFixed(2);
         pen = "L";
       }

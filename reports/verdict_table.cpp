@@ -40,11 +40,18 @@ const char* sign_of(Verdict verdict) {
   return "";
 }
 
+/// A percent sign stays with its number.
+std::string unbroken(std::string text) {
+  for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 1, "\u00a0");
+  return text;
+}
+
 void write_row(std::ostream& out, const Finding& finding) {
   const bool gated = finding.verdict != Verdict::info;
   out << "<tr class=\"" << verdict_key(finding.verdict) << "\"><td>" << badge(finding.verdict)
-      << "</td><td class=\"what\">" << html(finding.description.empty() ? finding.quantity : finding.description)
-      << "<code>" << html(finding.quantity) << "</code>";
+      << "</td><td class=\"what\">"
+      << html(unbroken(finding.description.empty() ? finding.quantity : finding.description)) << "<code>"
+      << html(finding.quantity) << "</code>";
   if (!finding.explanation.empty()) out << "<p class=\"explanation\">" << html(finding.explanation) << "</p>";
   out << "</td><td class=\"number\">" << html(quantity_text(finding.error, finding.unit))
       << "</td><td class=\"number\">" << html(quantity_text(finding.reference_bound, finding.unit, 2))
@@ -68,7 +75,7 @@ std::string verdict_table(const Record& record) {
   out << "<div class=\"wide\"><table id=\"verdict-table\" "
          "class=\"verdicts\"><thead><tr><th>Verdict</th><th>Quantity</th>"
          "<th class=\"number\">Error</th><th class=\"number\">Reference bound</th><th class=\"number\">Tolerance</th>"
-         "<th>Error of tolerance</th><th class=\"number\">CPU&nbsp;[s]</th><th>Reason for the "
+         "<th>Error / tolerance</th><th class=\"number\">CPU&nbsp;[s]</th><th>Reason for the "
          "tolerance</th></tr></thead>\n";
   for (const std::string& group : groups) {
     out << "<tbody>";
