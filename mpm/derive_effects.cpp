@@ -1,7 +1,10 @@
 #include "mpm/derive_effects.h"
 
 #include "mpm/gravity.h"
+#include "mpm/probes.h"
 #include "mpm/rigid_skeleton.h"
+#include "mpm/seepage.h"
+#include "mpm/seepage_boundary.h"
 
 #include <algorithm>
 
@@ -30,13 +33,38 @@ void join_skeleton(StagePlan<dim>& plan) {
   throw CannotPlan("an elastic skeleton is not built yet");
 }
 
+/// The origin of the first water boundary of a kind; empty when the problem has none.
+template <class Kind, int dim>
+const Origin* first_origin(const Problem<dim>& problem) {
+  for (const auto& boundary : problem.water_boundary)
+    if (const auto* found = std::get_if<Kind>(&boundary)) return &found->origin;
+  return nullptr;
+}
+
+template <int dim>
+void join_seepage(StagePlan<dim>& plan) {
+  const Problem<dim>& problem = plan.problem;
+  if (has_elastic_soil(problem))
+    throw CannotPlan(plan.stage.origin + ": stage '" + plan.stage.name +
+                     "' moves water by seepage through an elastic skeleton (the coupling of the two is not there yet; "
+                     "it comes with issue 4). Leave the elastic law out, or use the scheme implicit-drag");
+  auto water = std::make_shared<NodalWater<dim>>();
+  plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, water));
+  if (const Origin* origin = first_origin<RainSide>(problem))
+    plan.join(std::make_unique<RainOnSeepage<dim>>(*origin, water));
+  if (const Origin* origin = first_origin<FreeDrainageSide>(problem))
+    plan.join(std::make_unique<FreeDrainage<dim>>(*origin, water));
+  if (const Origin* origin = first_origin<PressureSide>(problem))
+    plan.join(std::make_unique<HeldPressure<dim>>(*origin, water));
+}
+
 template <int dim>
 void join_liquid(StagePlan<dim>& plan) {
   if (!plan.stage.liquid) return;
   const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "'";
   if (!plan.problem.water)
     throw CannotPlan(where + " moves pore liquid, but the scene has no water. Add water or leave the stage dry");
-  if (*plan.stage.liquid == LiquidScheme::seepage) throw CannotPlan(where + ": seepage is not built yet");
+  if (*plan.stage.liquid == LiquidScheme::seepage) return join_seepage(plan);
   throw CannotPlan(where + ": the two-velocity scheme is not built yet");
 }
 
@@ -70,6 +98,7 @@ std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size
     plan->join(std::make_unique<Gravity<dim>>(problem.gravity_origin));
   join_skeleton(*plan);
   join_liquid(*plan);
+  if (!problem.probes.empty()) plan->join(std::make_unique<Probes<dim>>(problem.probes.front().origin));
   plan->check();
   return plan;
 }

@@ -19,7 +19,7 @@ class Kernel {
   const std::string& name() const { return name_; }
   const std::string& effect() const { return effect_; }
   long calls() const { return calls_; }
-  /// CPU seconds of this thread, estimated from the timed calls.
+  /// CPU seconds of this thread, estimated from the timed calls; without the kernels run from within this one.
   double cpu_seconds() const;
 
  private:
@@ -27,7 +27,7 @@ class Kernel {
   std::string name_, effect_;
   std::function<void()> body_;
   long calls_ = 0, timed_calls_ = 0;
-  double first_seconds_ = 0, sampled_seconds_ = 0;
+  double timed_seconds_ = 0;
 };
 
 /// CPU time of the calling thread [s].

@@ -75,6 +75,7 @@ void StagePlan<dim>::enter() {
   for (auto& body : at_entry_) body();
   for (ColumnSet* set : {&fields.points.columns, &fields.grid.columns, &fields.run}) set->free_unprovided();
   for (auto& body : at_ready_) body();
+  for (auto& body : at_begin_) body();
 }
 
 template <int dim>

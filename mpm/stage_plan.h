@@ -85,6 +85,8 @@ class StagePlan {
   void at_entry(std::function<void()> body) { at_entry_.push_back(std::move(body)); }
   /// Runs when a stage begins (after every at_entry) and when a run is continued: rebuilds step columns and caches.
   void at_ready(std::function<void()> body) { at_ready_.push_back(std::move(body)); }
+  /// Runs when a stage begins, after every at_ready: first values that need the caches.
+  void at_begin(std::function<void()> body) { at_begin_.push_back(std::move(body)); }
   /// Fills what the effect knows into a snapshot.
   void at_output(std::function<void(meshes::Snapshot&)> body) { at_output_.push_back(std::move(body)); }
   /// Adds to the record after every accepted step (gauges) and at the start of the run.
@@ -134,7 +136,7 @@ class StagePlan {
   std::vector<Requirement> requirements_;
   std::vector<std::unique_ptr<Kernel>> kernels_, iterated_;  ///< kernels_ sorted by phase
   std::vector<Limit> limits_;
-  std::vector<std::function<void()>> at_entry_, at_ready_;
+  std::vector<std::function<void()>> at_entry_, at_ready_, at_begin_;
   std::vector<std::function<void(meshes::Snapshot&)>> at_output_;
   std::vector<std::function<void(double, meshes::FieldHistory&)>> at_record_;
   std::vector<std::function<void(meshes::FieldHistory&)>> at_finish_;
