@@ -7,16 +7,33 @@
 namespace wetfront::fem_reference {
 namespace {
 
-// Residual of a row as a water content [-]. reference.md: 1e-12 is a good constant; 1e-9 made the integrator's
-// error test see Newton noise in saturated rows, where W changes by sigma * dpsi only (141,618 steps, not 283).
-constexpr double newton_tolerance = 1e-12;
 // Quadratic convergence needs 2-5; what takes longer is cheaper with a smaller step.
 constexpr int max_iterations = 15;
 
+/// |psi| at which theta has dropped by `drop` from saturation [m]; the largest of all soils, by bisection.
+double head_of_drop(const std::vector<SoilLaw>& laws, double drop) {
+  double largest = 0;
+  for (const SoilLaw& law : laws) {
+    const double target = law.water_content(0).value - drop;
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (law.water_content(-middle).value > target ? low : high) = middle;
+    }
+    largest = std::max(largest, high);
+  }
+  return largest;
+}
+
 }  // namespace
 
-StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary)
-    : flow_(flow), boundary_(boundary), matrix_(flow.pattern()), linear_(make_linear_solver(matrix_)) {
+StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary, double newton_tolerance)
+    : flow_(flow),
+      boundary_(boundary),
+      newton_tolerance_(newton_tolerance),
+      saturation_gap_(head_of_drop(flow.laws(), newton_tolerance)),
+      matrix_(flow.pattern()),
+      linear_(make_linear_solver(matrix_)) {
   const std::size_t n = flow.space().dof_count;
   ponded_.assign(boundary.held().size(), 0);
   released_.assign(boundary.held().size(), 0);
@@ -29,7 +46,13 @@ bool StageKernel::is_held(std::size_t h) const {
 }
 
 double StageKernel::tolerance(int dof) const {
-  return newton_tolerance * flow_.volume()[dof] + rounding_[dof];
+  return newton_tolerance_ * flow_.volume()[dof] + rounding_[dof];
+}
+
+double StageKernel::open_head(int dof, double head) const {
+  if (std::abs(head) < saturation_gap_) return saturation_gap_;
+  const double capacity = flow_.capacity()[dof];
+  return capacity > 0 ? std::min(saturation_gap_, newton_tolerance_ / capacity) : 0;
 }
 
 void StageKernel::evaluate(std::span<const double> head) {

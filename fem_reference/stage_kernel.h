@@ -15,7 +15,8 @@ namespace wetfront::fem_reference {
 /// (Hintermueller, Ito & Kunisch 2002), so the complementarity is exact and has no penalty parameter.
 class StageKernel {
  public:
-  StageKernel(FlowOperator& flow, Boundary& boundary);
+  /// `newton_tolerance`: residual of a row as a water content [-].
+  StageKernel(FlowOperator& flow, Boundary& boundary, double newton_tolerance);
 
   /// `head` [dof, m] is the guess and becomes the solution; false when Newton did not converge (see failure()).
   bool solve(std::span<const double> target, double tau, std::span<double> head);
@@ -31,6 +32,10 @@ class StageKernel {
   /// What the ledger integrates: run-off per held dof, then outflow per condition [m^dim/s].
   void ledger_rates(std::span<double> rates) const;
   std::size_t ledger_size() const { return boundary_.held().size() + boundary_.condition_count(); }
+
+  /// How far psi at a dof may be off [m] although W is right to the Newton tolerance: that tolerance over the capacity
+  /// at the last evaluation, near saturation (where the capacity may vanish) the head at which W has dropped by it.
+  double open_head(int dof, double head) const;
 
   /// Why the last solve() failed.
   struct Failure {
@@ -58,6 +63,8 @@ class StageKernel {
 
   FlowOperator& flow_;
   Boundary& boundary_;
+  double newton_tolerance_;
+  double saturation_gap_;         ///< |psi| at which the flattest soil's W has dropped by the Newton tolerance [m]
   std::vector<char> ponded_;      ///< per held dof: the active set
   std::vector<double> released_;  ///< per held dof
   std::vector<double> residual_;  ///< per dof

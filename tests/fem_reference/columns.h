@@ -50,8 +50,12 @@ constexpr double unit_weight = 9810;  // Pa/m
 /// The seed paper's sand (Table 1; benchmarks.md section 4): p0 = 4.35 kPa, lambda = 0.61, n = 0.46.
 inline Soil seed_sand(double s_min, double specific_storage = 0.46 * unit_weight / 0.2e9) {
   constexpr double porosity = 0.46;
-  return {"sand", VanGenuchten{porosity * s_min, porosity, unit_weight / 4350, 1 / (1 - 0.61)}, MualemConductivity{},
-          2.943e-4, specific_storage, porosity};
+  return {"sand",
+          VanGenuchten{porosity * s_min, porosity, unit_weight / 4350, 1 / (1 - 0.61)},
+          MualemConductivity{},
+          2.943e-4,
+          specific_storage,
+          porosity};
 }
 
 /// The 1.2 m column of the main job: hydrostatic suction from the base, capped at 10 kPa; impermeable base, rain
