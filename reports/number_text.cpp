@@ -35,6 +35,8 @@ std::string number_text(double value, int digits) {
   if (std::isinf(value)) return value < 0 ? minus + "∞" : "∞";
   if (value == 0) return "0";
   const std::string sign = value < 0 ? minus : "";
+  // Digits before the decimal point are never rounded away: 1772 s stays 1772 s.
+  if (std::abs(value) >= std::pow(10, digits - 1) && std::abs(value) < 99999.5) return sign + fixed(std::abs(value), 0);
   char rounded[64];
   std::snprintf(rounded, sizeof rounded, "%.*e", digits - 1, std::abs(value));
   const std::string text = rounded;

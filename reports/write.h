@@ -7,7 +7,7 @@
 
 namespace wetfront::reports {
 
-/// Writes result.json (schema: result_schema.json), one CSV per figure and report.html into `folder`.
+/// Writes result.json (schema: result.schema.json), figures/ (CSV, gnuplot script and SVG of each) and report.html into `folder`.
 /// Throws std::runtime_error naming the file that cannot be written. Files appear whole or not at all.
 void write_result(const Record& record, const std::filesystem::path& folder);
 
