@@ -3,7 +3,9 @@
 #include "verification/scene/quantities.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace wetfront::verification {
 namespace {
@@ -75,6 +77,13 @@ Finding unanswered(const Tolerance& tolerance) {
   return finding;
 }
 
+/// Order on the page: by group, gates before what is only shown, then as the table of quantities lists them.
+std::array<std::ptrdiff_t, 3> rank(const Finding& finding) {
+  const Quantity* quantity = find_quantity(finding.quantity);
+  return {static_cast<std::ptrdiff_t>(quantity->per), finding.verdict == Verdict::info ? 1 : 0,
+          quantity - quantities().data()};
+}
+
 }  // namespace
 
 Verdict verdict(double error, double reference_bound, double tolerance) {
@@ -93,6 +102,8 @@ std::vector<Finding> judge(const Scene& scene, const Timeline& timeline, const s
     const Tolerance* chosen = nullptr;
     for (std::size_t i = 0; i < tolerances.size(); ++i) {
       if (!answers(measurement, tolerances[i], timeline.tolerance_times[i], timeline)) continue;
+      // A tolerance on all times or probes is answered by those at which the quantity exists.
+      if (std::isnan(measurement.error) && specificity(tolerances[i]) == 0) continue;
       answered[i] = true;
       if (!chosen || specificity(tolerances[i]) > specificity(*chosen)) chosen = &tolerances[i];
     }
@@ -103,6 +114,8 @@ std::vector<Finding> judge(const Scene& scene, const Timeline& timeline, const s
   }
   for (std::size_t i = 0; i < tolerances.size(); ++i)
     if (!answered[i]) findings.push_back(unanswered(tolerances[i]));
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return rank(a) < rank(b); });
   return findings;
 }
 
