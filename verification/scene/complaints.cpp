@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <tuple>
 
 namespace wetfront::verification {
 namespace {
@@ -43,18 +44,19 @@ std::string Complaint::text() const {
 }
 
 void Complaints::add(Place place, const Complaint& complaint) {
-  found_.push_back({place, render(file_, place, complaint)});
+  found_.push_back({place, {}, render(file_, place, complaint)});
 }
 
 void Complaints::add_elsewhere(Place place, const std::string& file, Place there, const Complaint& complaint) {
-  found_.push_back({place, render(file, there, complaint)});
+  found_.push_back({place, there, render(file, there, complaint)});
 }
 
 std::vector<std::string> Complaints::in_order() const {
   std::vector<Found> sorted = found_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Found& a, const Found& b) {
-    return a.place.line != b.place.line ? a.place.line < b.place.line : a.place.column < b.place.column;
-  });
+  const auto order = [](const Found& found) {
+    return std::make_tuple(found.place.line, found.place.column, found.there.line, found.there.column);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Found& a, const Found& b) { return order(a) < order(b); });
   std::vector<std::string> messages;
   for (const Found& found : sorted) messages.push_back(found.message);
   return messages;
@@ -84,9 +86,9 @@ std::string alternatives(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string suggest(const std::string& word, const std::vector<std::string>& known, const std::string& known_as) {
+std::string suggest(const std::string& word, const std::vector<std::string>& known) {
   const std::string near = nearest(word, known);
-  return near.empty() ? known_as + " " + alternatives(known) + "." : "Did you mean '" + near + "'?";
+  return near.empty() ? "Use one of those." : "Did you mean '" + near + "'?";
 }
 
 SceneError::SceneError(std::vector<std::string> all)

@@ -34,7 +34,8 @@ class Complaints {
 
  private:
   struct Found {
-    Place place;
+    Place place;  ///< in the scene
+    Place there;  ///< in the other file
     std::string message;
   };
   std::string file_;
@@ -48,7 +49,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& kno
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& words);
 
-/// `Did you mean 'x'?` when something is near, else `Known are a, b and c` in the words of `known_as`.
-std::string suggest(const std::string& word, const std::vector<std::string>& known, const std::string& known_as);
+/// `Did you mean 'x'?` when something is near, else `Use one of those.`, for messages that list what is known.
+std::string suggest(const std::string& word, const std::vector<std::string>& known);
 
 }  // namespace wetfront::verification

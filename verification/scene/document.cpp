@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace wetfront::verification {
 namespace {
@@ -52,19 +53,23 @@ Value convert(const toml::node& node) {
 
 /// toml++ says "Error while parsing key-value pair: cannot redefine existing string 'cells'".
 Complaint explain(const std::string& description) {
-  const std::string detail =
-      description.substr(description.find(": ") == std::string::npos ? 0 : description.find(": ") + 2);
+  const auto colon = description.find(": ");
+  const std::string detail = colon == std::string::npos ? description : description.substr(colon + 2);
   const auto says = [&](const char* words) { return description.find(words) != std::string::npos; };
   if (says("redefine")) {
     const auto quote = detail.find('\'');
     const std::string what = quote == std::string::npos ? "this" : detail.substr(quote);
+    const bool table = says("table") || says("array");
     return {"duplicate key " + what, "the file gives it twice and only one could count",
-            "Keep one of the two; a list of tables (soil, rain, boundary, probe, stage, tolerance) takes [[...]]."};
+            table ? "Keep one of the two; what there may be several of (soil, rain, stage, ...) is written [[...]]."
+                  : "Keep one of the two."};
   }
-  if (says("expected a comment or whitespace") || says("value-terminator") || says("could not determine value type") ||
-      says("bare string"))
-    return {"this is not TOML", detail, "Text and values with a unit stand in quotation marks: height = \"1.2 m\"."};
-  return {"this is not TOML", detail, "See https://toml.io for the grammar, or start from `wetfront new NAME`."};
+  const auto saw = description.find("saw '");
+  const bool letter = saw != std::string::npos && std::isalpha(static_cast<unsigned char>(description[saw + 5]));
+  return {"this is not TOML", detail,
+          letter || says("could not determine value type")
+              ? "Text and values with a unit stand in quotation marks, as in height = \"1.2 m\"."
+              : "See https://toml.io for the grammar, or start from `wetfront new NAME`."};
 }
 
 }  // namespace

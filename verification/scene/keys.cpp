@@ -21,7 +21,7 @@ std::vector<std::string> quantity_names() {
 std::vector<Key> ground_keys() {
   return {
     {"", "title", Takes::text, "", required, "", "one line for the head of the report", "Seed column"},
-    {"", "requirement", Takes::text, "", optional, "", "the sentence that the scene is there to show", ""},
+    {"", "requirement", Takes::text, "", optional, "", "the sentence that the scene is there to show", "The MPM follows the wetting front."},
     {"", "gravity", Takes::vector, "m/s2", optional, "0 m/s2, -9.81 m/s2", "acceleration of gravity, y up; zeros: none",
      R"(["0 m/s2", "-9.81 m/s2"])", {"-1000 m/s2", "1000 m/s2"}},
 
@@ -116,7 +116,7 @@ std::vector<Key> run_keys() {
     {"tolerance", "quantity", Takes::choice, "", required, "", "what is gated; the table of quantities is below", "pressure_l2", {}, quantity_names()},
     {"tolerance", "at", Takes::time, "s", optional, "", "one of the comparison times; all of them when absent", "25 % of filling"},
     {"tolerance", "probe", Takes::text, "", optional, "", "one probe, for quantities of probes; every probe when absent", "base"},
-    {"tolerance", "value", Takes::text, "", required, "", "largest allowed error: \"1 %\", or with the unit of the quantity", "1 %"},
+    {"tolerance", "value", Takes::tolerance, "", required, "", "largest allowed error: \"1 %\", or with the unit of the quantity", "1 %"},
     {"tolerance", "reason", Takes::text, "", required, "", "where this number comes from", "spatial error of a good scheme at 40 cells, doubled"},
   };
 }
@@ -178,6 +178,12 @@ const Key* find_key(const std::string& section, const std::string& name) {
   for (const Key& key : keys())
     if (key.section == section && key.name == name) return &key;
   return nullptr;
+}
+
+std::string bounds(const Range& range) {
+  const std::string from = (range.open_from ? "above " : "at least ") + range.from;
+  const std::string to = (range.open_to ? "below " : "at most ") + range.to;
+  return range.from.empty() ? to : range.to.empty() ? from : from + " and " + to;
 }
 
 std::string assignment(const Key& key) {

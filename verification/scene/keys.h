@@ -8,16 +8,17 @@
 namespace wetfront::verification {
 
 enum class Takes {
-  text,      ///< a non-empty string
-  path,      ///< a file, relative to the scene's folder
-  quantity,  ///< a number with a unit in a string; a bare number (or "25 %") when the unit is "1"
-  count,     ///< a whole number
-  choice,    ///< one of `choices`
-  time,      ///< "1800 s" or "25 % of filling"
-  times,     ///< a list of those
-  vector,    ///< a list of two or three quantities
-  series,    ///< a list of [time, rain intensity]
-  table,     ///< a section of its own, named `section.name`
+  text,       ///< a non-empty string
+  path,       ///< a file, relative to the scene's folder
+  quantity,   ///< a number with a unit in a string; a bare number (or "25 %") when the unit is "1"
+  count,      ///< a whole number
+  choice,     ///< one of `choices`
+  time,       ///< "1800 s" or "25 % of filling"
+  times,      ///< a list of those
+  tolerance,  ///< a quantity in the unit of the quantity that is gated
+  vector,     ///< a list of two or three quantities
+  series,     ///< a list of [time, rain intensity]
+  table,      ///< a section of its own, named `section.name`
 };
 
 enum class Presence { required, optional };
@@ -56,6 +57,9 @@ const Section& section_named(const std::string& name);
 std::vector<const Key*> keys_of(const std::string& section);
 /// nullptr when the section has no such key.
 const Key* find_key(const std::string& section, const std::string& name);
+
+/// "at least 0 and below 1".
+std::string bounds(const Range& range);
 
 /// How a value of the key is written, ready to be pasted: `density = "1000 kg/m3"`.
 std::string assignment(const Key& key);

@@ -57,7 +57,6 @@ class RainCsv {
                    "Start it with the line: time [s], intensity [mm/h]"});
     else if (record_.start.empty() && !failed_)
       complain(1, {"the rain record has no rows", "nothing says how much rain falls", "Add a row such as: 0, 100"});
-    if (failed_) return {};
     for (const RainFault& fault : faults_of(record_)) {
       line_ = rows_[fault.row];
       complain(1, fault.complaint);
@@ -83,7 +82,12 @@ class RainCsv {
     for (int i : {0, 1}) {
       const auto read = read_quantity("1 " + units_[i], wanted_[i]);
       if (!std::holds_alternative<Complaint>(read)) continue;
-      complain(cells[i].column, std::get<Complaint>(read));
+      const Complaint& wrong = std::get<Complaint>(read);
+      const std::string quoted = "\"1 " + units_[i] + '"';
+      const std::string rest =
+          wrong.problem.rfind(quoted, 0) == 0 ? wrong.problem.substr(quoted.size()) : wrong.problem;
+      complain(cells[i].column,
+               {'[' + units_[i] + ']' + rest, wrong.why, "Write the header as: time [s], intensity [mm/h]"});
       sound = false;
     }
     return sound;
@@ -92,8 +96,8 @@ class RainCsv {
   void read_row(const std::string& line) {
     const std::vector<Cell> cells = cells_of(line);
     if (cells.size() != 2) {
-      complain(1, {fmt::format("this row has {} values", cells.size()), "a row is a time and an intensity",
-                   "Write it as in: 0, 100"});
+      complain(1, {fmt::format("this row has {} value{}, not 2", cells.size(), cells.size() == 1 ? "" : "s"),
+                   "a row is a time and an intensity", "Write it as in: 0, 100"});
       return;
     }
     double values[2];

@@ -37,6 +37,10 @@ bool Reading::elastic() const {
   return false;
 }
 
+FillingTime Reading::filling() const {
+  return wet() && !scene.water ? FillingTime{} : filling_time(scene);
+}
+
 std::vector<std::string> Reading::sides() const {
   if (std::holds_alternative<MeshFile>(scene.geometry.shape)) return {};
   return {"top", "base", "left", "right"};
@@ -47,13 +51,15 @@ void read_top(Reading& reading) {
   reading.scene.title = top.text("title");
   reading.scene.requirement = top.text("requirement");
   const std::vector<double> gravity = top.vector("gravity");
-  reading.scene.gravity = {0, 0, 0};
+  if (!gravity.empty()) reading.scene.gravity = {0, 0, 0};
   for (std::size_t i = 0; i < gravity.size(); ++i) reading.scene.gravity[i] = gravity[i];
   reading.scene.gravity_origin = top.origin_of("gravity");
   const bool column = std::holds_alternative<Column>(reading.scene.geometry.shape);
-  if (gravity.size() > 1 && (std::abs(gravity[0]) > 0 || gravity[1] > 0) && column)
+  if (gravity.size() > 1 && (std::abs(gravity[0]) > 0 || gravity[1] > 0) && column) {
+    reading.scene.gravity = {0, -std::abs(gravity[1]), 0};
     top.complain("gravity", {"gravity does not pull down along the column", "a column is vertical, and up is positive",
                              "Write gravity = [\"0 m/s2\", \"-9.81 m/s2\"], or use a slope."});
+  }
   top.finish();
 }
 

@@ -14,8 +14,8 @@ std::string read_side(SectionReader& reader, const Reading& reading) {
   const std::string side = reader.text("side");
   const std::vector<std::string> sides = reading.sides();
   if (side.empty() || sides.empty() || std::find(sides.begin(), sides.end(), side) != sides.end()) return side;
-  reader.complain("side", {"there is no side '" + side + "'", "this geometry has " + alternatives(sides),
-                           suggest(side, sides, "Write")});
+  reader.complain(
+      "side", {"there is no side '" + side + "'", "this geometry has " + alternatives(sides), suggest(side, sides)});
   return "";
 }
 
@@ -78,10 +78,12 @@ void read_water_condition(SectionReader& reader, Boundary& boundary, const Readi
   if (condition != known.end()) boundary.water = condition->second;
   if (boundary.water == WaterCondition::pressure) boundary.pressure = reader.quantity("pressure");
   for (const Rain& rain : reading.scene.rains)
-    if (rain.side == boundary.side && !boundary.side.empty())
+    if (rain.side == boundary.side && !boundary.side.empty()) {
+      boundary.water.reset();
       reader.complain("water", {"'" + boundary.side + "' is given rain and a second water condition",
                                 "the rain stands in line " + std::to_string(rain.origin.line),
                                 "Keep one of the two; rain already lets water out where the soil is full."});
+    }
 }
 
 /// Why the probe is not in the soil, or "".
@@ -127,7 +129,7 @@ void read_position(SectionReader& reader, Probe& probe, const Geometry& geometry
 void read_rains(Reading& reading) {
   for (SectionReader& reader : sections_of(reading.root, "rain", reading.complaints)) {
     Rain rain{read_side(reader, reading), read_record(reader, reading), reader.origin()};
-    if (!reading.wet())
+    if (!reading.root.find("water"))
       reading.complaints.add(reader.place(), {"rain falls, but the scene has no [water]",
                                               "nothing can fall into a dry scene", "Add [water], or remove [[rain]]."});
     const bool built_in = !reading.sides().empty();
@@ -149,8 +151,10 @@ void read_boundaries(Reading& reading) {
     Boundary boundary;
     boundary.side = read_side(reader, reading);
     boundary.origin = reader.origin();
+    bool repeated = false;
     for (const Boundary& other : reading.scene.boundaries)
-      if (other.side == boundary.side && !boundary.side.empty())
+      if ((repeated = repeated || (other.side == boundary.side && !boundary.side.empty())) &&
+          other.side == boundary.side)
         reader.complain("side", {"'" + boundary.side + "' has a second [[boundary]]",
                                  "the first stands in line " + std::to_string(other.origin.line),
                                  "Put water and skeleton into one."});
@@ -160,7 +164,7 @@ void read_boundaries(Reading& reading) {
       reader.unused("skeleton", "every soil of this scene is rigid", "Remove it, or give the soil young and poisson.");
     if (!reader.has("water") && !reader.has("skeleton"))
       reader.missing("water", "a boundary must say something about the water or the skeleton");
-    reading.scene.boundaries.push_back(boundary);
+    if (!repeated) reading.scene.boundaries.push_back(boundary);
     reader.finish();
   }
 }

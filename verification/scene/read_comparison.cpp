@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wetfront::verification {
 namespace {
@@ -28,11 +29,12 @@ void read_reference(Reading& reading) {
 }
 
 void check_times(SectionReader& section, const Scene& scene, const FillingTime& filling) {
-  const auto end = scene.stages.empty() ? std::nullopt : seconds_of(scene.stages.back().until, filling);
-  std::optional<double> before;
+  std::optional<double> end, before;
+  for (const Stage& stage : scene.stages) end = std::max(end, seconds_of(stage.until, filling));
+  bool said = false;
   for (const SceneTime& time : scene.comparison.times) {
     const Place place{time.origin.line, time.origin.column};
-    if (time.of_filling && !filling.why_not.empty())
+    if (time.of_filling && !filling.why_not.empty() && !std::exchange(said, true))
       section.complain_at(place, {"this scene has no filling time", filling.why_not, "Write a time as in \"1800 s\"."});
     const auto seconds = seconds_of(time, filling);
     if (seconds && end && *seconds > *end * (1 + 1e-12))
@@ -61,13 +63,14 @@ double read_value(SectionReader& reader, const Quantity* quantity) {
   return value;
 }
 
-void check_time(SectionReader& reader, const Tolerance& gate, const Quantity& quantity, const Scene& scene) {
+void check_time(SectionReader& reader, const Tolerance& gate, const Quantity& quantity, const Reading& reading) {
   if (!gate.at) return;
   if (quantity.per != Quantity::Per::time)
     return reader.unused("at",
                          gate.quantity + " is one value per " + (quantity.per == Quantity::Per::run ? "run" : "probe"),
                          "Remove it.");
-  const FillingTime filling = filling_time(scene);
+  const Scene& scene = reading.scene;
+  const FillingTime filling = reading.filling();
   const auto at = seconds_of(*gate.at, filling);
   const bool listed =
       std::any_of(scene.comparison.times.begin(), scene.comparison.times.end(), [&](const SceneTime& time) {
@@ -88,7 +91,7 @@ void check_probe(SectionReader& reader, const Tolerance& gate, const Quantity& q
     reader.complain("quantity", {gate.quantity + " needs a probe", "the scene has no [[probe]]", "Add one."});
   else if (!gate.probe.empty() && std::find(names.begin(), names.end(), gate.probe) == names.end())
     reader.complain("probe", {"there is no probe '" + gate.probe + "'", "the scene has " + alternatives(names),
-                              suggest(gate.probe, names, "Write")});
+                              suggest(gate.probe, names)});
 }
 
 void read_tolerance(SectionReader& reader, Reading& reading) {
@@ -105,12 +108,12 @@ void read_tolerance(SectionReader& reader, Reading& reading) {
   const Quantity* quantity = find_quantity(gate.quantity);
   gate.value = read_value(reader, quantity);
   if (quantity) {
-    check_time(reader, gate, *quantity, scene);
+    check_time(reader, gate, *quantity, reading);
     check_probe(reader, gate, *quantity, scene);
-    const FillingTime filling = filling_time(scene);
+    const FillingTime filling = reading.filling();
     if (quantity->needs_filling_time && !filling.why_not.empty())
       reader.complain("quantity", {"this scene has no filling time", filling.why_not, "Remove this gate."});
-    if (quantity->per == Quantity::Per::time && scene.comparison.times.empty())
+    if (quantity->per == Quantity::Per::time && !reading.root.find("comparison"))
       reader.complain("quantity", {gate.quantity + " is never evaluated", "the scene has no comparison times",
                                    "Add [comparison] with times."});
   }
@@ -125,7 +128,7 @@ void read_comparison(Reading& reading) {
   if (auto section = section_of(reading.root, "comparison", reading.complaints)) {
     reading.scene.comparison.times = section->times("times");
     reading.scene.comparison.origin = section->origin();
-    check_times(*section, reading.scene, filling_time(reading.scene));
+    check_times(*section, reading.scene, reading.filling());
     section->finish();
   }
   for (SectionReader& reader : sections_of(reading.root, "tolerance", reading.complaints))

@@ -58,7 +58,9 @@ void read_laws(SectionReader& reader, Soil& soil, bool wet) {
     read_permeability_law(*law, soil);
     law->finish();
   } else if (!reader.has("permeability") && soil.retention && std::holds_alternative<Exponential>(*soil.retention)) {
-    reader.missing("permeability", "the default, mualem, needs a van-genuchten retention");
+    reader.complain("permeability",
+                    {"[[soil]] has no 'permeability'", "the default, mualem, needs a van-genuchten retention",
+                     "Add permeability = { law = \"exponential\" } or { law = \"constant\" }."});
   }
 }
 
@@ -75,7 +77,7 @@ void read_conductivity(SectionReader& reader, Soil& soil, const Scene& scene) {
       reader.complain("saturated_conductivity",
                       {"a conductivity needs gravity", "k = Ks mu / (rho g), and g is zero here",
                        "Give intrinsic_permeability instead."});
-    else if (!both)
+    else if (!both && scene.water)
       soil.intrinsic_permeability = conductivity * scene.water->viscosity / (scene.water->density * gravity);
   } else if (!reader.has("intrinsic_permeability")) {
     reader.missing("intrinsic_permeability",
@@ -99,6 +101,14 @@ void read_geometry(Reading& reading) {
   if (!section) return;
   Geometry& geometry = reading.scene.geometry;
   geometry.origin = section->origin();
+  if (const std::string file = section->text("mesh"); !file.empty()) {
+    const std::filesystem::path mesh = reading.scene.path.parent_path() / file;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(mesh, error))
+      section->complain("mesh", {section->shown("mesh") + " cannot be read", "there is no file " + mesh.string(),
+                                 "The path is relative to the scene's folder."});
+    geometry.shape = MeshFile{mesh};
+  }
   if (auto column = section->table("column")) {
     geometry.shape = Column{column->quantity("height"), column->count("cells")};
     column->finish();
@@ -107,14 +117,6 @@ void read_geometry(Reading& reading) {
     geometry.shape = Slope{slope->quantity("length"), slope->quantity("thickness"), slope->quantity("angle"),
                            slope->count("cells_along"), slope->count("cells_over")};
     slope->finish();
-  }
-  if (const std::string file = section->text("mesh"); !file.empty()) {
-    const std::filesystem::path mesh = reading.scene.path.parent_path() / file;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(mesh, error))
-      section->complain("mesh", {section->shown("mesh") + " cannot be read", "there is no file " + mesh.string(),
-                                 "The path is relative to the scene's folder."});
-    geometry.shape = MeshFile{mesh};
   }
   section->finish();
 }
@@ -132,8 +134,8 @@ void read_soils(Reading& reading) {
     soil.porosity = reader.quantity("porosity");
     soil.grain_density = reader.quantity("grain_density");
     soil.intrinsic_permeability = std::nan("");
-    read_laws(reader, soil, scene.water.has_value());
-    if (scene.water) read_conductivity(reader, soil, scene);
+    read_laws(reader, soil, reading.wet());
+    if (reading.wet()) read_conductivity(reader, soil, scene);
     read_skeleton(reader, soil);
     soil.origin = reader.origin();
     for (const Soil& other : scene.soils)

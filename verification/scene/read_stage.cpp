@@ -36,8 +36,9 @@ void read_step_control(SectionReader& reader, Stage& stage, bool elastic) {
   stage.local_damping = reader.quantity("local_damping");
 }
 
-void check_end(SectionReader& reader, const Stage& stage, const Scene& scene) {
-  const FillingTime filling = filling_time(scene);
+void check_end(SectionReader& reader, const Stage& stage, const Reading& reading) {
+  const Scene& scene = reading.scene;
+  const FillingTime filling = reading.filling();
   if (stage.until.of_filling && !filling.why_not.empty())
     reader.complain("until", {"this scene has no filling time", filling.why_not, "Write a time as in \"1800 s\"."});
   const auto end = seconds_of(stage.until, filling);
@@ -61,7 +62,7 @@ void read_stages(Reading& reading) {
     read_step_control(reader, stage, reading.elastic());
     if (const auto until = reader.time("until")) {
       stage.until = *until;
-      check_end(reader, stage, reading.scene);
+      check_end(reader, stage, reading);
       reading.scene.stages.push_back(stage);
     }
     reader.finish();

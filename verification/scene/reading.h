@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verification/scene/filling_time.h"
 #include "verification/scene/scene.h"
 #include "verification/scene/section.h"
 
@@ -15,7 +16,10 @@ struct Reading {
   Complaints& complaints;
   Scene& scene;
 
-  bool wet() const { return root.find("water") != nullptr; }
+  /// Rain counts as well: where [water] was forgotten, that is said once, and not of every wet key.
+  bool wet() const { return root.find("water") || root.find("rain"); }
+  /// filling_time(scene), without consequences of mistakes that were complained of already.
+  FillingTime filling() const;
   bool elastic() const;
   bool has_reference() const { return root.find("reference") != nullptr; }
   /// Sides of the built-in shapes; empty for a mesh file, whose sides are known once it is read.

@@ -63,6 +63,7 @@ class SectionReader {
   Place place_;
   Complaints* complaints_;
   std::set<std::string> read_;
+  std::set<std::string> misspelt_;  ///< known keys that an unknown one was probably meant to be
 };
 
 /// The sections of that name at the top of the document: none, one, or as many as [[name]] were written.

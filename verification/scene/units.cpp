@@ -29,6 +29,7 @@ const std::vector<Dimension>& dimensions() {
       {"m2", "an intrinsic permeability", "3e-11 m2", {"m2", "cm2", "mm2", "um2"}},
       {"m/s", "a rain intensity or conductivity", "100 mm/h", {"m/s", "mm/h", "cm/h", "cm/s", "m/d", "mm/d"}},
       {"m/s2", "an acceleration", "-9.81 m/s2", {"m/s2", "m/s^2"}},
+      {"m2/s", "a kinematic viscosity", "1e-6 m2/s", {"m2/s"}},
       {"rad", "an angle", "30 deg", {"deg", "rad", "degree"}},
       {"1", "a pure number", "25 %", {"%"}},
   };

@@ -1,0 +1,76 @@
+/// Random damage to a valid scene: whatever comes out is a Scene or a SceneError, never a crash or another exception.
+#include "verification/scene/read.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+namespace wetfront::verification {
+namespace {
+
+const std::vector<std::string> pieces = {
+    "\"",   "[",          "]", "[[",          "]]",  "{",     "}",           "=",
+    ",",    "\n",         "-", "nan",         "inf", "1e999", "0",           "-1",
+    "\xff", "\xc3\xa9",   "%", " of filling", "kPa", "m2",    "[[soil]]\n",  "[water]\n",
+    "true", "1979-05-27", "'", "\"\"\"",      "#",   ".",     "a.b.c = 1\n", "9223372036854775807"};
+
+class Damage {
+ public:
+  explicit Damage(unsigned seed) : random_(seed) {}
+
+  std::string done_to(std::string text) {
+    for (int hits = 1 + pick(4); hits > 0; --hits) {
+      const std::size_t at = pick(text.size()), length = std::min<std::size_t>(1 + pick(12), text.size() - at);
+      switch (pick(5)) {
+        case 0:
+          text.erase(at, length);
+          break;
+        case 1:
+          text.insert(at, pieces[pick(pieces.size())]);
+          break;
+        case 2:
+          text.replace(at, length, pieces[pick(pieces.size())]);
+          break;
+        case 3:
+          text.insert(pick(text.size()), text.substr(at, 5 * length));
+          break;
+        default:
+          text[at] = static_cast<char>(pick(256));
+      }
+    }
+    return text;
+  }
+
+  std::size_t pick(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+ private:
+  std::mt19937 random_;
+};
+
+TEST(Fuzz, DamagedScenesAreReadOrRefused) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "wetfront_fuzz.toml";
+  const std::string sound = scene_template("fuzz");
+  Damage damage(20211);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string text = damage.done_to(sound);
+    std::ofstream(path, std::ios::binary) << text;
+    try {
+      read_scene(path);
+    } catch (const SceneError& error) {
+      ++refused;
+      ASSERT_FALSE(error.messages.empty()) << text;
+      for (const std::string& message : error.messages)
+        ASSERT_EQ(message.rfind(path.string() + ":", 0), 0u) << message << "\n" << text;
+    } catch (const std::exception& error) {
+      FAIL() << error.what() << "\n" << text;
+    }
+  }
+  std::filesystem::remove(path);
+  EXPECT_GT(refused, 1000);  // the damage is real
+}
+
+}  // namespace
+}  // namespace wetfront::verification
