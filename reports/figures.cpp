@@ -53,7 +53,7 @@ std::string inline_svg(std::string svg, const Figure& figure) {
   replace_all(svg, "xmlns=\"http://www.w3.org/2000/svg\"", "");
   replace_all(svg, "xmlns:xlink=\"http://www.w3.org/1999/xlink\"", "");
   replace_all(svg, "xlink:href", "href");
-  for (const std::string name : {"gp", "textbox", "greybox"})
+  for (const std::string name : {"gp", "gnuplot_", "textbox", "greybox"})
     for (const std::string place : {"id='", "href='#", "id=\""})
       replace_all(svg, place + name, place + figure.id + "_" + name);
   for (const std::string mark : {"gpPt3'", "gpPt5'", "gpPt7'"})
