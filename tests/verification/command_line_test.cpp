@@ -1,0 +1,134 @@
+// The program as a user meets it: exit codes, messages, files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string cases = WETFRONT_SOURCE_DIR "/verification/cases/";
+
+struct Output {
+  int code;
+  std::string text;  ///< stdout and stderr
+};
+
+/// A fresh folder for each test.
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) /
+             ("wetfront_cli_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  Output wetfront(const std::string& arguments) const {
+    const std::string command = "cd " + folder.string() + " && " WETFRONT_PROGRAM " " + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer;
+    while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), size);
+    return {WEXITSTATUS(pclose(pipe)), text};
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+  static std::string read(const fs::path& path) {
+    std::ifstream in(path);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+
+  fs::path folder;
+};
+
+TEST_F(CommandLine, RunLeavesReportResultFieldsAndTheScene) {
+  const std::string scene = cases + "seed_column/scene_3e-5_smin0.87.toml";
+  const Output output = wetfront("run " + scene);
+  EXPECT_EQ(output.code, 0) << output.text;
+  const fs::path out = folder / "out/scene_3e-5_smin0.87";
+  EXPECT_TRUE(fs::exists(out / "report.html"));
+  EXPECT_EQ(read(out / "scene.toml"), read(scene));
+  EXPECT_THAT(read(out / "result.json"), HasSubstr("\"git_hash\""));
+  EXPECT_TRUE(fs::exists(out / "fields/mpm_points.pvd"));
+  const Output again = wetfront("report out/scene_3e-5_smin0.87");
+  EXPECT_EQ(again.code, 0) << again.text;
+}
+
+TEST_F(CommandLine, SeveralScenesShareAnIndex) {
+  const Output output = wetfront("run --out both " + cases + "seed_column/scene_3e-5_smin0.87.toml " + cases +
+                                 "seed_column/scene_1.5e-4_smin0.87.toml");
+  EXPECT_EQ(output.code, 0) << output.text;
+  EXPECT_THAT(read(folder / "both/index.html"), HasSubstr("scene_1.5e-4_smin0.87/report.html"));
+}
+
+TEST_F(CommandLine, AMissedToleranceExitsWith1) {
+  std::string scene = read(cases + "seed_column/scene_3e-5_smin0.87.toml");
+  scene += "\n[[tolerance]]\nquantity = \"saturation_linf\"\nvalue = \"1e-7 %\"\nreason = \"to be missed\"\n";
+  write("missed.toml", scene);
+  const Output output = wetfront("run missed.toml");
+  EXPECT_EQ(output.code, 1) << output.text;
+  EXPECT_THAT(output.text, HasSubstr("FAIL"));
+}
+
+TEST_F(CommandLine, BadInputExitsWith2AndRunsNothing) {
+  write("typo.toml", "title = \"x\"\n[geometri]\n");
+  const Output output = wetfront("run " + cases + "seed_column/scene_3e-5.toml typo.toml");
+  EXPECT_EQ(output.code, 2);
+  EXPECT_THAT(output.text, HasSubstr("typo.toml:2:"));
+  EXPECT_THAT(output.text, HasSubstr("geometry"));
+  EXPECT_FALSE(fs::exists(folder / "out"));
+  EXPECT_EQ(wetfront("run nowhere.toml").code, 2);
+  EXPECT_EQ(wetfront("fly").code, 2);
+}
+
+TEST_F(CommandLine, ScenesOfOneNameDoNotOverwriteEachOther) {
+  const Output output = wetfront("run " + cases + "dry_column/scene.toml " + cases + "../cases/dry_column/scene.toml");
+  EXPECT_EQ(output.code, 2);
+  EXPECT_THAT(output.text, HasSubstr("would both write to"));
+}
+
+TEST_F(CommandLine, ANewSceneChecksAndExplains) {
+  EXPECT_EQ(wetfront("new my_slope").code, 0);
+  const Output check = wetfront("check my_slope.toml");
+  EXPECT_EQ(check.code, 0) << check.text;
+  const Output explain = wetfront("explain my_slope.toml");
+  EXPECT_EQ(explain.code, 0) << explain.text;
+  EXPECT_THAT(explain.text, HasSubstr("bytes per point"));
+  EXPECT_THAT(explain.text, HasSubstr("my_slope.toml:"));
+  EXPECT_EQ(wetfront("new my_slope").code, 2);  // never overwritten
+}
+
+TEST_F(CommandLine, ReferenceReportsItsOwnError) {
+  const Output output = wetfront("reference " + cases + "seed_column/scene_3e-5_smin0.87.toml");
+  EXPECT_EQ(output.code, 0) << output.text;
+  EXPECT_THAT(output.text, HasSubstr("relative L2 of pore pressure"));
+  EXPECT_TRUE(fs::exists(folder / "out/scene_3e-5_smin0.87_reference/report.html"));
+}
+
+TEST_F(CommandLine, ADrySceneRunsWithoutAReference) {
+  const Output output = wetfront("run " + cases + "dry_column/scene.toml");
+  EXPECT_EQ(output.code, 0) << output.text;
+  EXPECT_TRUE(fs::exists(folder / "out/dry_column/report.html"));
+}
+
+TEST_F(CommandLine, HelpListsTheCommandsAndExitCodes) {
+  const Output output = wetfront("--help");
+  EXPECT_EQ(output.code, 0);
+  for (const char* command : {"run", "explain", "check", "reference", "report", "new", "Exit codes"})
+    EXPECT_THAT(output.text, HasSubstr(command));
+}
+
+}  // namespace

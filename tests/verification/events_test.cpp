@@ -1,0 +1,55 @@
+#include "verification/compare/events.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+/// Rain of 2 per second of which 0.5 per second runs off from `ponding` on, in steps of one second.
+std::vector<meshes::LedgerRow> ledger_with_ponding(double ponding, int steps) {
+  std::vector<meshes::LedgerRow> ledger;
+  for (int t = 0; t <= steps; ++t) {
+    meshes::LedgerRow row;
+    row.time = t;
+    row.rain_asked = 2 * t;
+    row.run_off = 0.5 * std::max(0.0, t - ponding);
+    row.infiltrated = row.rain_asked - row.run_off;
+    ledger.push_back(row);
+  }
+  return ledger;
+}
+
+TEST(Events, PondingIsFoundInsideAStep) {
+  EXPECT_NEAR(ponding_time(ledger_with_ponding(3.4, 10)), 3.4, 1e-12);
+  EXPECT_TRUE(std::isnan(ponding_time(ledger_with_ponding(99, 10))));
+  EXPECT_TRUE(std::isnan(ponding_time({})));
+}
+
+TEST(Events, ArrivalAndRiseOfALinearGauge) {
+  meshes::Gauge gauge;
+  for (int t = 0; t <= 20; ++t) {
+    gauge.time.push_back(t);
+    gauge.pressure.push_back(-1000 + 500 * t);
+  }
+  EXPECT_NEAR(crossing_time(gauge, arrival_pressure), 2.4, 1e-12);
+  EXPECT_NEAR(rise_rate(gauge, 10000), 0.05, 1e-12);
+}
+
+TEST(Events, AGaugeThatStartsWetHasNoArrival) {
+  meshes::Gauge gauge;
+  gauge.time = {0, 1, 2};
+  gauge.pressure = {500, 400, 300};
+  EXPECT_TRUE(std::isnan(crossing_time(gauge, arrival_pressure)));
+  EXPECT_TRUE(std::isnan(rise_rate(gauge, 10000)));
+}
+
+TEST(Events, LedgerIsLinearBetweenSteps) {
+  const auto ledger = ledger_with_ponding(99, 10);
+  EXPECT_DOUBLE_EQ(ledger_at(ledger, &meshes::LedgerRow::rain_asked, 2.5), 5);
+  EXPECT_DOUBLE_EQ(ledger_at(ledger, &meshes::LedgerRow::rain_asked, 1e9), 20);
+}
+
+}  // namespace
+}  // namespace wetfront::verification

@@ -1,0 +1,47 @@
+#include "verification/compare/profile.h"
+
+#include "meshes/geo_script.h"
+#include "meshes/gmsh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace wetfront::verification {
+namespace {
+
+TEST(Profile, RelativeL2IsWeightedByVolume) {
+  EXPECT_NEAR(relative_l2({1, 3}, {1, 2}, {1, 1}), 1 / std::sqrt(5.0), 1e-15);
+  EXPECT_NEAR(relative_l2({1, 3}, {1, 2}, {4, 1}), 1 / std::sqrt(8.0), 1e-15);
+}
+
+TEST(Profile, InfinityNormTakesTheWorstOfEitherSign) {
+  EXPECT_DOUBLE_EQ(relative_linf({1, -3, 2}, {1, -2, 2}), 0.5);
+  EXPECT_TRUE(std::isinf(relative_linf({std::nan(""), 1}, {1, 1})));
+}
+
+TEST(Profile, FrontLiesWhereSaturationIsHalfWay) {
+  const std::vector<double> elevation = {0.1, 0.2, 0.3, 0.4, 0.5};
+  EXPECT_NEAR(front_elevation({1.0, 0.3, 0.3, 0.7, 0.7}, elevation), 0.35, 1e-15);
+  EXPECT_TRUE(std::isnan(front_elevation({1.0, 0.9, 0.5, 0.4, 0.3}, elevation)));  // before the rain
+  EXPECT_TRUE(std::isnan(front_elevation({1.0, 0.9, 0.8, 0.7, 0.7}, elevation)));  // met the water table
+}
+
+TEST(Profile, AOneDimensionalSolutionIsReadAtTheCellsElevation) {
+  meshes::FieldHistory line;
+  line.mesh = meshes::generate(meshes::line_column_script(1.0, 10), 1);
+  meshes::Snapshot snapshot;
+  for (const auto& node : line.mesh.nodes) {
+    snapshot.node_pressure.push_back(100 * node[0]);
+    snapshot.node_saturation.push_back(node[0]);
+  }
+  line.snapshots = {snapshot};
+  const auto strip = meshes::generate(meshes::strip_column_script(1.0, 0.2, 5), 2);
+  const auto profiles = profiles_at_cells(line, strip);
+  for (std::size_t c = 0; c < strip.cell_count(); ++c)
+    EXPECT_NEAR(profiles[0].pressure[c], 100 * strip.cell_centre(c)[1], 1e-9);
+}
+
+}  // namespace
+}  // namespace wetfront::verification
