@@ -1,5 +1,6 @@
 #include "mpm/seepage.h"
 
+#include "mpm/cell_values.h"
 #include "mpm/rigid_skeleton.h"
 #include "mpm/soil_water.h"
 #include "mpm/water_ledger.h"
@@ -242,16 +243,14 @@ void Seepage<dim>::add_output(StagePlan<dim>& plan) {
     const double* p = (*columns_.pressure)[0];
     out.node_pressure.assign(p, p + grid.node_count());
     out.node_saturation.assign(grid.node_count(), std::numeric_limits<double>::quiet_NaN());
+    out.cell_pressure = cell_values(grid, p);
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
       const auto& law = saturation[static_cast<std::size_t>(grid.region(cell))];
-      double centre = 0;
       for (int i = 0; i < cell_nodes<dim>; ++i) {
         const int node = grid.cell_nodes_of(cell)[i];
-        centre += p[node] / cell_nodes<dim>;
         out.node_saturation[static_cast<std::size_t>(node)] = law(p[node]);
       }
-      out.cell_pressure.push_back(centre);
-      out.cell_saturation.push_back(law(centre));
+      out.cell_saturation.push_back(law(out.cell_pressure[cell]));
     }
     const auto copy = [](const Column& column) {
       return std::vector<double>(column.values().begin(), column.values().end());
