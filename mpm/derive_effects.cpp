@@ -1,10 +1,13 @@
 #include "mpm/derive_effects.h"
 
+#include "mpm/elastic_skeleton.h"
 #include "mpm/gravity.h"
 #include "mpm/probes.h"
 #include "mpm/rigid_skeleton.h"
 #include "mpm/seepage.h"
 #include "mpm/seepage_boundary.h"
+#include "mpm/two_velocity.h"
+#include "mpm/two_velocity_rain.h"
 
 #include <algorithm>
 
@@ -30,7 +33,7 @@ void join_skeleton(StagePlan<dim>& plan) {
     plan.join(std::make_unique<RigidSkeleton<dim>>(problem.soils.front().origin));
     return;
   }
-  throw CannotPlan("an elastic skeleton is not built yet");
+  plan.join(std::make_unique<ElasticSkeleton<dim>>(problem.soils.front().elastic->origin));
 }
 
 /// The origin of the first water boundary of a kind; empty when the problem has none.
@@ -59,13 +62,21 @@ void join_seepage(StagePlan<dim>& plan) {
 }
 
 template <int dim>
+void join_two_velocities(StagePlan<dim>& plan) {
+  auto water = std::make_shared<TwoVelocityWater<dim>>(plan);
+  plan.join(std::make_unique<TwoVelocityLiquid<dim>>(plan.stage.origin, water));
+  if (const Origin* origin = first_origin<RainSide>(plan.problem))
+    plan.join(std::make_unique<RainOnTwoVelocity<dim>>(*origin, water));
+}
+
+template <int dim>
 void join_liquid(StagePlan<dim>& plan) {
   if (!plan.stage.liquid) return;
   const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "'";
   if (!plan.problem.water)
     throw CannotPlan(where + " moves pore liquid, but the scene has no water. Add water or leave the stage dry");
   if (*plan.stage.liquid == LiquidScheme::seepage) return join_seepage(plan);
-  throw CannotPlan(where + ": the two-velocity scheme is not built yet");
+  join_two_velocities(plan);
 }
 
 }  // namespace

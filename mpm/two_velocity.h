@@ -1,0 +1,48 @@
+#pragma once
+
+#include "mpm/two_velocity_water.h"
+
+#include <functional>
+#include <string>
+
+namespace wetfront::mpm {
+
+/// The two-velocity pore liquid with implicit drag (`implicit-drag`) in a rigid skeleton; TWO_VELOCITY.md derives it.
+///
+/// Points carry the liquid velocity and their water W_p (what is conserved); the pressure of a cell is the inverse of
+/// its water content. One cycle is steps I to IX of Lee et al. 2021 with the mass balance in flux form.
+template <int dim>
+class TwoVelocityLiquid : public Effect<dim> {
+ public:
+  TwoVelocityLiquid(Origin origin, std::shared_ptr<TwoVelocityWater<dim>> water)
+      : Effect<dim>("two-velocity pore liquid", std::move(origin),
+                    "Lee 2021 Eqs 1, 10 (drag sign corrected, drag implicit), 12 to 14; Eqs 4/18 in flux form or as "
+                    "printed; Eqs 5 to 8; mpm/TWO_VELOCITY.md"),
+        water_(std::move(water)) {}
+  void join(StagePlan<dim>& plan) override;
+
+ private:
+  void provide_columns(StagePlan<dim>& plan);
+  void add_momentum(StagePlan<dim>& plan);
+  void add_mass_balance(StagePlan<dim>& plan);
+  void add_state(StagePlan<dim>& plan);
+  void add_limits(StagePlan<dim>& plan);
+  void add_ledger(StagePlan<dim>& plan);
+  void add_output(StagePlan<dim>& plan);
+  void take_over(StagePlan<dim>& plan);
+  std::array<double, cell_nodes<dim>> centre_weights(const StagePlan<dim>& plan, const Block& block) const;
+  void start_as_darcy(StagePlan<dim>& plan);
+  void tell_hand_over(meshes::FieldHistory& history);
+  double divergence_of(const Block& block) const;
+  void sum_cells(const StagePlan<dim>& plan);
+
+  std::shared_ptr<TwoVelocityWater<dim>> water_;
+  Column* point_water_ = nullptr;     ///< W_p
+  Column* point_velocity_ = nullptr;  ///< v_l
+  Column* steps_ = nullptr;           ///< the last dt
+  std::function<void()> from_points_, forces_;
+  std::string hand_over_;        ///< a sentence for the log
+  double hand_over_change_ = 0;  ///< m^dim
+};
+
+}  // namespace wetfront::mpm

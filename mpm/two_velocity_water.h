@@ -1,0 +1,74 @@
+#pragma once
+
+#include "mpm/two_velocity_walls.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace wetfront::mpm {
+
+/// Water of the occupied cells and the integrals over their points that the two-velocity scheme works with.
+/// Everything here is rebuilt from point columns. Volumes of water are at the reference density rho_l [m^dim].
+template <int dim>
+struct TwoVelocityCells {
+  explicit TwoVelocityCells(std::size_t cells)
+      : volume(cells),
+        pores(cells),
+        water(cells),
+        pressure(cells),
+        outflow(cells),
+        size(cells),
+        share(cells),
+        gradient(cells),
+        centre(cells) {}
+
+  std::vector<double> volume;                                      ///< sum_p V_p [m^dim]
+  std::vector<double> pores;                                       ///< sum_p n V_p [m^dim]
+  std::vector<double> water;                                       ///< sum_p W_p [m^dim]
+  std::vector<double> pressure;                                    ///< p_c, the inverse of water/pores [Pa]
+  std::vector<double> outflow;                                     ///< sum_p V_p sum_i grad N_i . w_i [m^dim/s]
+  std::vector<double> size;                                        ///< smallest altitude [m]
+  std::vector<std::array<double, cell_nodes<dim>>> share;          ///< sum_p V_p N_i [m^dim]
+  std::vector<std::array<Vector<dim>, cell_nodes<dim>>> gradient;  ///< sum_p V_p dN_i/dx [m^(dim-1)]
+  std::vector<Vector<dim>> centre;                                 ///< sum_p V_p x_p / volume [m]
+};
+
+/// What the effects of the two-velocity scheme share: the liquid, the nodal columns and the solve of one node.
+///
+/// Liquid momentum per unit volume of liquid, lumped at the nodes (Lee 2021 Eqs 1 and 10, drag sign corrected):
+///   rho_l V_i a_l = F_i - V_i rho_l r_i (v_l - v_s),   F_i = sum_c p_c grad_ci + V_i rho_l g,
+///   r_i = (nS)_i mu/(k k_rel)_i / rho_l [1/s].
+template <int dim>
+struct TwoVelocityWater {
+  explicit TwoVelocityWater(const StagePlan<dim>& plan)
+      : density(plan.problem.water->density), walls(plan), cells(plan.fields.grid.cell_count()) {}
+
+  /// Velocity after a step dt with the drag of a mobility k k_rel/mu [m2/(Pa s)], drag at the end of the step
+  /// (implicit, exact for any dt), skeleton at rest.
+  Vector<dim> driven(std::size_t i, double node_mobility, double dt) const {
+    const double r = (*content)[0][i] / (node_mobility * density);
+    Vector<dim> v{};
+    for (int a = 0; a < dim; ++a)
+      v[a] = ((*velocity)[a][i] + dt * (*force)[a][i] / (density * (*volume)[0][i])) / (1 + dt * r);
+    return v;
+  }
+
+  double density;  ///< rho_l [kg/m3]
+  ImpermeableWalls<dim> walls;
+  TwoVelocityCells<dim> cells;
+
+  Column* volume = nullptr;         ///< V_i = sum_p V_p N_i [m^dim]
+  Column* content = nullptr;        ///< (nS)_i = sum_p W_p N_i / V_i, the mass m_l/(rho_l V_i) of Eq. 14 [-]
+  Column* velocity = nullptr;       ///< v_l at the start of the step, then the one mapped back (Eq. 14) [m/s]
+  Column* velocity_new = nullptr;   ///< v_l from the momentum balance [m/s]
+  Column* force = nullptr;          ///< F_i [N]
+  Column* mobility = nullptr;       ///< mean k k_rel/mu [m2/(Pa s)]
+  Column* pressure = nullptr;       ///< p_i [Pa], carried
+  Column* flux = nullptr;           ///< w_i = (nS)_i (v_l - v_s) at the end of the step [m/s], carried
+  Column* offset = nullptr;         ///< mean of x_i - centre over the cells of a node [m]
+  Column* cell_mobility = nullptr;  ///< mean over the cells of a node of k k_rel(p_c)/mu [m2/(Pa s)]
+  Column* rain_rate = nullptr;      ///< rain that may reach the node in the coming step [m^dim/s], carried
+};
+
+}  // namespace wetfront::mpm
