@@ -48,12 +48,10 @@ class Discretiser {
   }
 
  private:
-  // gmsh counts around a quadrilateral, deal.II row by row; a line must point along its axis.
+  // gmsh counts around a quadrilateral, deal.II row by row.
   std::vector<int> dealii_order(std::span<const int> cell) const {
     std::vector<int> v(cell.begin(), cell.end());
-    if constexpr (dim == 1) {
-      if (problem_.mesh.nodes[v[0]][0] > problem_.mesh.nodes[v[1]][0]) std::swap(v[0], v[1]);
-    } else {
+    if constexpr (dim > 1) {
       for (std::size_t i = 2; i < v.size(); i += 4) std::swap(v[i], v[i + 1]);
     }
     return v;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wetfront::fem_reference::testing {
 
@@ -41,6 +42,22 @@ inline meshes::Mesh strip_mesh(int cells, double height, int columns) {
     mesh.sides[1].faces.insert(mesh.sides[1].faces.end(), {cells * row + i, cells * row + i + 1});
   }
   mesh.region.assign(static_cast<std::size_t>(cells) * columns, 0);
+  mesh.region_names = {"soil"};
+  return mesh;
+}
+
+/// The same column as a stack of hexahedra on a unit square; sides "base", "top".
+inline meshes::Mesh stack_mesh(int cells, double height) {
+  meshes::Mesh mesh;
+  mesh.dim = 3;
+  for (int k = 0; k <= cells; ++k) {
+    for (auto [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) {
+      mesh.nodes.push_back({x, y, height * k / cells});
+    }
+  }
+  for (int i = 0; i < 8 * cells; ++i) mesh.cells.push_back(4 * (i / 8) + i % 8);
+  mesh.sides = {{"base", {0, 1, 2, 3}}, {"top", {4 * cells, 4 * cells + 1, 4 * cells + 2, 4 * cells + 3}}};
+  mesh.region.assign(cells, 0);
   mesh.region_names = {"soil"};
   return mesh;
 }
