@@ -140,6 +140,45 @@ TEST(ReadScene, DryAndDeformingScenes) {
   EXPECT_EQ(deforming.stages.at(0).scheme, Scheme::implicit_drag);
 }
 
+const std::string slope =
+    R"(slope = { length = "20 m", thickness = "1.2 m", angle = "30 deg", cells_along = 80, cells_over = 10 })";
+
+TEST(ReadScene, Slope) {
+  const std::string column = R"(column = { height = "1.2 m", cells = 40 })";
+  const auto scene_with = [&](const std::string& probe) {
+    return Rewritten()
+        .replace(column, slope)
+        .replace("elevation = \"0 m\"", probe)
+        .replace("elevation = \"0.6 m\"", R"(at = ["10 m", "6 m"])")
+        .replace("elevation = \"1.2 m\"", R"(at = ["20 m", "12 m"])")
+        .replace("\"105 % of filling\"", "\"2 h\"")
+        .cut("[reference]")
+        .read();
+  };
+  const Scene scene = scene_with(R"(at = ["0 m", "0 m"])");
+  EXPECT_NEAR(std::get<Slope>(scene.geometry.shape).angle, std::acos(-1.0) / 6, 1e-15);
+  EXPECT_EQ(scene.probes.at(1).position, (std::array<double, 3>{10, 6, 0}));
+  EXPECT_THROW(scene_with(R"(at = ["10 m", "5 m"])"), SceneError);  // the base is at 5.77 m there
+  EXPECT_THROW(scene_with("elevation = \"0 m\""), SceneError);
+}
+
+TEST(ReadScene, MeshFileIsFoundBesideTheScene) {
+  const Scene scene = Rewritten()
+                          .replace(R"(column = { height = "1.2 m", cells = 40 })", "mesh = \"ground.msh\"")
+                          .file("ground.msh", "$MeshFormat\n")
+                          .replace("side = \"base\"", "side = \"bedrock\"")
+                          .cut("[[probe]]")
+                          .replace("water = \"impermeable\"\n", R"(water = "impermeable"
+[[stage]]
+name = "rain"
+scheme = "seepage"
+until = "2 h"
+)")
+                          .read();
+  EXPECT_EQ(std::get<MeshFile>(scene.geometry.shape).path, scene.path.parent_path() / "ground.msh");
+  EXPECT_EQ(scene.boundaries.at(0).side, "bedrock");
+}
+
 TEST(ReadScene, PrintedEquationsAreNamedVariants) {
   EXPECT_TRUE(read_scene(cases / "printed_equations/printed_mass_balance.toml").stages.at(1).printed_mass_balance);
   EXPECT_EQ(read_scene(cases / "printed_equations/printed_mualem.toml").soils.at(0).permeability,

@@ -46,6 +46,9 @@ class Complaints {
 /// to be a slip of the pen: at most a third of the letters differ.
 std::string nearest(const std::string& word, const std::vector<std::string>& known);
 
+/// At most 60 characters of it, for messages.
+std::string shortened(const std::string& text);
+
 /// "a, b or c".
 std::string alternatives(const std::vector<std::string>& words);
 

@@ -82,11 +82,14 @@ const Entry* Value::find(const std::string& key) const {
 std::string Value::shown() const {
   switch (kind) {
     case Kind::table:
-      return "a table";
-    case Kind::array:
-      return "a list";
+      return entries.empty() ? "{}" : "{ " + entries.front().key + " = ... }";
+    case Kind::array: {
+      std::string list;
+      for (const Value& item : items) list += (list.empty() ? "" : ", ") + item.shown();
+      return '[' + shortened(list) + ']';
+    }
     case Kind::text:
-      return '"' + (text.size() <= 60 ? text : text.substr(0, 57) + "...") + '"';
+      return '"' + shortened(text) + '"';
     case Kind::integer:
     case Kind::real:
       return fmt::format("{}", number);

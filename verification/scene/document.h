@@ -21,7 +21,7 @@ struct Value {
 
   const Entry* find(const std::string& key) const;
   bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
-  /// What the file says, short enough for a message: `"1.2 m"`, `40`, `a table`.
+  /// What the file says, short enough for a message: `"1.2 m"`, `40`, `{ law = ... }`.
   std::string shown() const;
 };
 

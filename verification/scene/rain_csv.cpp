@@ -44,7 +44,7 @@ class RainCsv {
   meshes::RainRecord read(std::istream& file) {
     std::string line;
     while (std::getline(file, line)) {
-      ++line_;
+      if (++line_ == 1 && line.rfind("\xef\xbb\xbf", 0) == 0) line.erase(0, 3);  // spreadsheets mark UTF-8 so
       if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
       if (units_[0].empty() && !read_header(line))
         return {};

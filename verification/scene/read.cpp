@@ -46,6 +46,13 @@ std::vector<std::string> Reading::sides() const {
   return {"top", "base", "left", "right"};
 }
 
+void check_plane(SectionReader& reader, const std::string& name, const std::vector<double>& components,
+                 const Geometry& geometry) {
+  if (components.size() == 3 && !std::holds_alternative<MeshFile>(geometry.shape))
+    reader.complain(name, {reader.shown(name) + " has a third component", "columns and slopes lie in the plane x, y",
+                           "Give x and y only."});
+}
+
 void read_top(Reading& reading) {
   SectionReader top(reading.root, "", {1, 1}, reading.complaints);
   reading.scene.title = top.text("title");
@@ -54,11 +61,14 @@ void read_top(Reading& reading) {
   if (!gravity.empty()) reading.scene.gravity = {0, 0, 0};
   for (std::size_t i = 0; i < gravity.size(); ++i) reading.scene.gravity[i] = gravity[i];
   reading.scene.gravity_origin = top.origin_of("gravity");
+  check_plane(top, "gravity", gravity, reading.scene.geometry);
   const bool column = std::holds_alternative<Column>(reading.scene.geometry.shape);
-  if (gravity.size() > 1 && (std::abs(gravity[0]) > 0 || gravity[1] > 0) && column) {
+  const bool mesh = std::holds_alternative<MeshFile>(reading.scene.geometry.shape);
+  if (gravity.size() > 1 && ((column && std::abs(gravity[0]) > 0) || (!mesh && gravity[1] > 0))) {
     reading.scene.gravity = {0, -std::abs(gravity[1]), 0};
-    top.complain("gravity", {"gravity does not pull down along the column", "a column is vertical, and up is positive",
-                             "Write gravity = [\"0 m/s2\", \"-9.81 m/s2\"], or use a slope."});
+    top.complain("gravity",
+                 {"gravity does not pull down", column ? "a column is vertical, and up is positive" : "up is positive",
+                  "Write gravity = [\"0 m/s2\", \"-9.81 m/s2\"], or use a slope."});
   }
   top.finish();
 }

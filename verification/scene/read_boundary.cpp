@@ -118,6 +118,7 @@ void read_position(SectionReader& reader, Probe& probe, const Geometry& geometry
   } else {
     const std::vector<double> at = reader.vector("at");
     for (std::size_t i = 0; i < at.size(); ++i) probe.position[i] = at[i];
+    check_plane(reader, "at", at, geometry);
   }
   const std::string why = why_outside(geometry, probe.position[0], probe.position[1]);
   if (!why.empty())
@@ -151,13 +152,15 @@ void read_boundaries(Reading& reading) {
     Boundary boundary;
     boundary.side = read_side(reader, reading);
     boundary.origin = reader.origin();
-    bool repeated = false;
-    for (const Boundary& other : reading.scene.boundaries)
-      if ((repeated = repeated || (other.side == boundary.side && !boundary.side.empty())) &&
-          other.side == boundary.side)
-        reader.complain("side", {"'" + boundary.side + "' has a second [[boundary]]",
-                                 "the first stands in line " + std::to_string(other.origin.line),
-                                 "Put water and skeleton into one."});
+    const auto& before = reading.scene.boundaries;
+    const auto first = std::find_if(before.begin(), before.end(), [&](const Boundary& other) {
+      return other.side == boundary.side && !boundary.side.empty();
+    });
+    const bool repeated = first != before.end();
+    if (repeated)
+      reader.complain("side", {"'" + boundary.side + "' has a second [[boundary]]",
+                               "the first stands in line " + std::to_string(first->origin.line),
+                               "Put water and skeleton into one."});
     read_water_condition(reader, boundary, reading);
     if (reader.has("skeleton") && reading.elastic()) boundary.fixed = fixed_axes(reader, boundary.side, reading.scene);
     if (reader.has("skeleton") && !reading.elastic())

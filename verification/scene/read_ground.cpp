@@ -176,10 +176,11 @@ void read_initial(Reading& reading) {
   }
   if (section->has("uniform")) state.pressure = UniformStart{section->quantity("uniform")};
   const auto& g = reading.scene.gravity;
-  if (section->has("hydrostatic") && g[0] == 0 && g[1] == 0 && g[2] == 0)
+  const bool weightless = section->has("hydrostatic") && g[0] == 0 && g[1] == 0 && g[2] == 0;
+  if (weightless)
     section->complain("hydrostatic", {"a hydrostatic start needs gravity", "gravity is zero in this scene",
                                       "Write uniform = \"0 kPa\" instead."});
-  reading.scene.initial = state;
+  if (!weightless) reading.scene.initial = state;
   section->finish();
 }
 

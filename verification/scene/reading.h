@@ -36,14 +36,19 @@ void read_probes(Reading& reading);
 void read_stages(Reading& reading);      // stage, mpm
 void read_comparison(Reading& reading);  // reference, comparison, tolerance
 
+/// A third component would be ignored in a column or a slope: complains of it.
+void check_plane(SectionReader& reader, const std::string& name, const std::vector<double>& components,
+                 const Geometry& geometry);
+
 /// A rain record from a file `time [unit], intensity [unit]`; complaints carry that file's lines.
 meshes::RainRecord read_rain_csv(const std::filesystem::path& path, Place named_at, Complaints& complaints);
 
-/// Times ascending, intensities >= 0: complains at `place(i)` of the first that is not. True when sound.
+/// What is wrong with one row of a rain record.
 struct RainFault {
   std::size_t row;
   Complaint complaint;
 };
+/// Times must ascend from 0, intensities be >= 0 and possible.
 std::vector<RainFault> faults_of(const meshes::RainRecord& record);
 
 }  // namespace wetfront::verification

@@ -12,12 +12,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* const with_unit = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^\s0-9].*$)";
+const char* const with_unit = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^\s0-9,._].*$)";
 const char* const number_in_text = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(%|percent)?\s*$)";
 
 Json quantity(const std::string& unit) {
   const Json text = {{"type", "string"}, {"pattern", unit == "1" ? number_in_text : with_unit}};
   return unit == "1" ? Json{{"anyOf", {{{"type", "number"}}, text}}} : text;
+}
+
+/// Bounds of a pure number; those of values with units are in the description.
+Json quantity(const Key& key) {
+  Json schema = quantity(key.unit);
+  if (key.unit != "1") return schema;
+  Json& number = schema["anyOf"][0];
+  if (!key.range.from.empty()) number[key.range.open_from ? "exclusiveMinimum" : "minimum"] = std::stod(key.range.from);
+  if (!key.range.to.empty()) number[key.range.open_to ? "exclusiveMaximum" : "maximum"] = std::stod(key.range.to);
+  return schema;
 }
 
 Json section_schema(const std::string& name);
@@ -28,7 +38,7 @@ Json value_schema(const Key& key) {
     case Takes::path:
       return {{"type", "string"}, {"minLength", 1}};
     case Takes::quantity:
-      return quantity(key.unit);
+      return quantity(key);
     case Takes::tolerance:
       return {{"type", {"string", "number"}}};
     case Takes::count:

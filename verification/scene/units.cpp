@@ -116,7 +116,7 @@ std::string example_of(const std::string& unit) {
 }
 
 std::variant<double, Complaint> read_quantity(const std::string& text, const std::string& unit) {
-  const std::string quoted = '"' + (text.size() <= 60 ? text : text.substr(0, 57) + "...") + '"';
+  const std::string quoted = '"' + shortened(text) + '"';
   const std::string body = trimmed(text);
   const std::string wanted = fmt::format("{} is wanted here", dimension(unit));
   double number = 0;
