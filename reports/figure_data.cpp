@@ -3,6 +3,7 @@
 #include "reports/csv.h"
 #include "reports/figure_script.h"
 #include "reports/palette.h"
+#include "reports/thinned.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,7 +41,7 @@ std::string figure_data(const Figure& figure, const FigureAxes& axes) {
   data["y"] = axis_data(axes.y, figure.y_label, figure.y_unit);
   data["series"] = Json::array();
   for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    const Series& series = figure.series[s];
+    const Series series = thinned(figure.series[s]);
     const char* style = series.style == Series::Style::points   ? "points"
                         : series.style == Series::Style::dashed ? "dashed"
                                                                 : "line";

@@ -14,7 +14,7 @@ namespace wetfront::reports {
 namespace {
 
 // Pixels. Text widths are estimated: a proportional font of size s takes about 0.55 s per character.
-constexpr double title_line = 20, note_line = 17, axis_strip = 56, legend_line = 19, sample = 30, gap = 10;
+constexpr double title_line = 20, note_line = 17, axis_strip = 56, legend_line = 19, sample = 30, gap = 9;
 constexpr double ink_size = 12, character = 0.5 * ink_size;
 
 std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
@@ -152,8 +152,11 @@ std::string figure_script(const Figure& figure, const FigureAxes& axes) {
   out << "# Draws " << wrap(figure.id, 100) << ".svg from " << figure.id << ".csv: gnuplot " << figure.id << ".gp\n";
   write_frame(out, figure, layout);
   write_axis(out, "x", axes.x, label_with_unit(figure.x_label, figure.x_unit));
-  write_axis(out, "y", axes.y, label_with_unit(figure.y_label, figure.y_unit));
-  out << "set xlabel offset 0,0.75\nset xtics offset 0,0.3\nset ylabel offset 0.3,0\n";
+  write_axis(out, "y", axes.y, "");
+  out << "set xlabel offset 0,0.75\nset xtics offset 0,0.3\n";
+  // By hand: gnuplot moves its own label out of the picture when the numbers are wide.
+  out << "set label " << gnuplot_string(label_with_unit(figure.y_label, figure.y_unit)) << " at "
+      << at(layout, 14, (layout.top + layout.bottom()) / 2) << " center rotate by 90 textcolor rgb '#222222'\n";
   write_texts(out, layout);
   write_windows(out, figure, layout, axes.x);
   write_legend(out, figure, layout);

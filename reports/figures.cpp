@@ -4,6 +4,7 @@
 #include "reports/escape.h"
 #include "reports/figure_script.h"
 #include "reports/gnuplot.h"
+#include "reports/thinned.h"
 #include "reports/whole_file.h"
 
 #include <regex>
@@ -76,7 +77,7 @@ std::vector<DrawnFigure> write_figures(const std::vector<Figure>& figures, const
     const std::string csv = figure_csv(figures[i]), script = figure_script(figures[i], axes[i]);
     write_whole(folder / (figures[i].id + ".csv"), csv);
     write_whole(folder / (figures[i].id + ".gp"), script);
-    write_whole(desk.path() / (figures[i].id + ".csv"), csv);
+    write_whole(desk.path() / (figures[i].id + ".csv"), figure_csv(thinned(figures[i])));
     write_whole(desk.path() / (figures[i].id + ".gp"), script);
     scripts.push_back(figures[i].id + ".gp");
   }

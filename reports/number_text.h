@@ -5,8 +5,8 @@
 /// Numbers as a reader wants them (for pages) and as a program wants them (for files).
 namespace wetfront::reports {
 
-/// Up to `digits` significant digits (all of them before the decimal point), no trailing zeros, powers of ten written out beyond 1e-3 ... 1e5:
-/// "0.083", "1772", "3.1 × 10⁻⁹", "NaN", "∞". UTF-8, true minus sign.
+/// Up to `digits` significant digits (all of them before the decimal point), no trailing zeros, powers of ten written
+/// out beyond 1e-3 ... 1e5: "0.083", "1772", "3.1 × 10⁻⁹", "NaN", "∞". UTF-8, true minus sign.
 std::string number_text(double value, int digits = 3);
 
 /// With its unit. Unit "1" is relative: a percentage from 1e-5 on ("0.083 %"), a bare power of ten below.

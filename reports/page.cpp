@@ -4,6 +4,7 @@
 #include "reports/figure_data.h"
 #include "reports/number_text.h"
 #include "reports/page_assets.h"
+#include "reports/thinned.h"
 #include "reports/verdict_table.h"
 
 #include <algorithm>
@@ -83,13 +84,20 @@ std::string table_html(const Table& table) {
 
 std::string figure_html(const Figure& figure, const DrawnFigure& drawn) {
   std::size_t left_out = 0;
-  for (const Series& series : figure.series) left_out += undrawable_points(figure, series);
+  bool thin = false;
+  for (const Series& series : figure.series) {
+    left_out += undrawable_points(figure, series);
+    thin = thin || series.x.size() > drawn_limit;
+  }
   std::ostringstream out;
   out << "<figure id=\"figure-" << html(figure.id) << "\">" << drawn.svg << "<script type=\"application/json\">"
       << figure_data(figure, drawn.axes) << "</script>";
   if (left_out > 0)
     out << "<figcaption>" << left_out << " value" << (left_out > 1 ? "s" : "")
         << " not drawn: not finite, or not positive on a logarithmic axis.</figcaption>";
+  if (thin)
+    out << "<figcaption>Drawn from the outline of its values: series hold more than " << drawn_limit
+        << "; the CSV file has them all.</figcaption>";
   out << "</figure>\n";
   return out.str();
 }

@@ -7,8 +7,8 @@
 
 namespace wetfront::reports {
 
-/// Writes result.json (schema: result.schema.json), figures/ (CSV, gnuplot script and SVG of each) and report.html into `folder`.
-/// Throws std::runtime_error naming the file that cannot be written. Files appear whole or not at all.
+/// Writes result.json (schema: result.schema.json), figures/ (CSV, gnuplot script and SVG of each) and report.html into
+/// `folder`. Throws std::runtime_error naming the file that cannot be written. Files appear whole or not at all.
 void write_result(const Record& record, const std::filesystem::path& folder);
 
 /// Renders report.html again from the folder's result.json (`wetfront report DIR`).

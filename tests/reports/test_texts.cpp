@@ -5,11 +5,13 @@
 #include "reports/figure_script.h"
 #include "reports/number_text.h"
 #include "reports/palette.h"
+#include "reports/thinned.h"
 #include "reports/tolerance_bar.h"
 #include "tests/reports/sample_record.h"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -146,6 +148,25 @@ TEST(FigureData, CannotEndItsElement) {
   const std::string data = figure_data(figure, FigureAxes{});
   EXPECT_THAT(data, Not(HasSubstr("<")));
   EXPECT_THAT(data, HasSubstr("[null]"));
+}
+
+TEST(Thinned, KeepsTheOutlineAndTheGaps) {
+  Series series{"a", Series::Style::line, {}, {}, 3};
+  for (int i = 0; i < 100000; ++i) {
+    series.x.push_back(i);
+    series.y.push_back(std::sin(i * 1e-4));
+  }
+  series.y[54321] = 7;
+  series.y[60000] = std::nan("");
+  const Series drawn = thinned(series);
+  EXPECT_LE(drawn.x.size(), drawn_limit + 2);
+  EXPECT_EQ(drawn.x.front(), 0);
+  EXPECT_EQ(drawn.x.back(), 99999);
+  EXPECT_EQ(std::count(drawn.y.begin(), drawn.y.end(), 7), 1);
+  EXPECT_EQ(std::count_if(drawn.y.begin(), drawn.y.end(), [](double y) { return std::isnan(y); }), 1);
+  series.x.resize(drawn_limit);
+  series.y.resize(drawn_limit);
+  EXPECT_EQ(thinned(series).y, series.y);
 }
 
 TEST(ToleranceBar, SaysTheShareInWords) {
