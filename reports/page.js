@@ -147,7 +147,7 @@
       if (this.zoomed) this.zoomed.remove();
       const [left, top, right, bottom] = this.data.box, clip = this.figure.id + "-clip";
       const g = this.zoomed = this.svg.insertBefore(element("g", {class: "zoomed", "font-size": 12}), this.over);
-      g.append(element("rect", {x: left - 46, y: top - 8, width: right - left + 64, height: bottom - top + 34, fill: "#fff"}));
+      g.append(element("rect", {x: left - 56, y: top - 8, width: right - left + 74, height: bottom - top + 34, fill: "#fff"}));
       const clipping = g.appendChild(element("clipPath", {id: clip}));
       clipping.append(element("rect", {x: left, y: top, width: right - left, height: bottom - top}));
       for (const v of ticks(this.x)) {

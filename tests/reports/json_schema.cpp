@@ -68,7 +68,7 @@ class Check {
     for (const auto& [key, member] : value.items()) {
       if (schema["properties"].contains(key))
         walk(schema["properties"][key], member, path + "/" + key);
-      else if (schema["additionalProperties"].is_object())
+      else if (schema.contains("additionalProperties"))
         walk(schema["additionalProperties"], member, path + "/" + key);
       else
         report(path, "has an undocumented member " + key);
