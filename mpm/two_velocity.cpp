@@ -166,9 +166,8 @@ void TwoVelocityLiquid<dim>::add_mass_balance(StagePlan<dim>& plan) {
         for (std::size_t q = block.first; q < block.first + block.count; ++q) sum += (*point_water_)[0][q];
         w.cells.water[block.cell] = sum;
         const double p = law.pressure_of(sum / w.cells.pores[block.cell]);
-        // Water compressed by a tenth, or a suction that only contents within round-off of S_min have: no soil is
-        // there, the scheme has blown up.
-        if (!(p < 0.1 * K && p > -10 * K))
+        // Water compressed by a tenth or drawn to half its density: no soil is there, the scheme has blown up.
+        if (!(p < 0.1 * K && p > -0.5 * K))
           throw StepFailed("the two-velocity scheme has blown up: cell " + std::to_string(block.cell) + " holds " +
                            std::to_string(sum / w.cells.pores[block.cell]) +
                            " of its pores, which no pressure explains. Use a smaller step_safety");

@@ -2,6 +2,7 @@
 
 #include "mpm/retention.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,20 +36,24 @@ class WaterContent {
   }
   double saturated() const { return curve_.s_max(); }
 
-  /// p with e(p) = content; NaN where no pressure gives it (content at or below S_min, or not finite).
+  /// p with e(p) = content; NaN where no pressure gives it (content not positive or not finite).
   ///
-  /// Newton's method from the incompressible inverse. For p < 0 the true content is below S(p), so that start lies left
-  /// of the root, where e is concave near saturation and practically S elsewhere: the iterates rise monotonically.
+  /// Newton's method from the incompressible inverse, kept inside a bracket: e rises from 0 at p = -K_l to S_max at 0.
   double pressure_of(double content) const {
     const double s_max = curve_.s_max();
     if (content >= s_max) return (content / s_max - 1) * bulk_modulus_;
-    const double effective = (content - s_min_) / (s_max - s_min_);
-    if (!(effective > 0)) return std::numeric_limits<double>::quiet_NaN();
-    double p = -suction_at(curve_, effective);
-    // Quadratic convergence: a step of 1e-10 |p| leaves an error far below round-off of the next evaluation.
-    for (int iteration = 0; iteration < 50; ++iteration) {
-      const double step = (content - value(p)) / slope(p);
-      p = std::min(p + step, 0.0);
+    if (!(content > 0)) return std::numeric_limits<double>::quiet_NaN();
+    // Compressibility takes contents below S_min in very dry soil; there the start is merely a large suction.
+    constexpr double driest = 1e-12;
+    double low = -bulk_modulus_, high = 0;
+    double p = std::max(low, -suction_at(curve_, std::max(driest, (content - s_min_) / (s_max - s_min_))));
+    // Quadratic convergence: after a step of 1e-10 |p| what is left is far below round-off.
+    for (int iteration = 0; iteration < 200; ++iteration) {
+      const double excess = value(p) - content;
+      (excess > 0 ? high : low) = p;
+      const double next = p - excess / slope(p);
+      const double step = (next > low && next < high ? next : 0.5 * (low + high)) - p;
+      p += step;
       if (std::abs(step) <= 1e-10 * std::abs(p)) break;
     }
     return p;

@@ -1,0 +1,113 @@
+// The elastic skeleton: gravity column, no allocation in a step.
+#include "mpm/simulation.h"
+#include "tests/mpm/strip.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+// Counts every allocation of this test program.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace wetfront::mpm {
+namespace {
+
+constexpr double height = 1.0, young = 10e6, poisson = 0.3;
+const double modulus = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
+const double density = (1 - 0.46) * 2690;
+
+Problem<2> gravity_column(int cells, double damping, double end) {
+  Problem<2> problem = test::seed_column(cells, 0.087, 0, end);
+  problem.mesh = test::strip(height, cells);
+  problem.water.reset();
+  problem.initial_pressure.clear();
+  problem.water_boundary.clear();
+  problem.soils[0].retention.reset();
+  problem.soils[0].permeability.reset();
+  problem.soils[0].elastic = Elastic{young, poisson, "test:elastic"};
+  problem.fixities = {
+      {"base", {true, true, false}, "o"}, {"left", {true, false, false}, "o"}, {"right", {true, false, false}, "o"}};
+  problem.stages[0].liquid.reset();
+  problem.stages[0].local_damping = damping;
+  problem.output_times = {end};
+  return problem;
+}
+
+TEST(ElasticSkeleton, AGravityColumnSettlesToItsClosedForm) {
+  const int cells = 20;
+  const Problem<2> problem = gravity_column(cells, 0.2, 0.5);  // about 20 periods
+  Simulation<2> simulation(problem);
+  while (!simulation.finished()) simulation.step();
+  const State state = simulation.state();
+  const double settlement = -state.history.snapshots.at(0).node_displacement[2 * cells][1];
+  // Small strain: rho g H^2/(2M), 1 % by the issue.
+  EXPECT_NEAR(settlement / (density * 9.81 * height * height / (2 * modulus)), 1, 0.01);
+  // A linear cell carries one vertical stress, that of its centre: rho g (H - h/2). Horizontal: nu/(1-nu) of it.
+  const auto& stress = state.fields.at("point.stress");
+  const std::size_t points = stress.size() / 4;
+  const double expected = -density * 9.81 * (height - 0.5 * height / cells);
+  double mean = 0;
+  for (std::size_t p = 0; p < 4; ++p) mean += stress[points + p] / 4;
+  EXPECT_NEAR(mean / expected, 1, 0.01);
+  EXPECT_NEAR(stress[0] / stress[points], poisson / (1 - poisson), 0.01);
+}
+
+TEST(ElasticSkeleton, AnUndampedColumnSwingsAtItsPeriod) {
+  // First mode of a column fixed at its base: T = 4 H / c. The lumped mass and 40 cells leave 0.1 %.
+  const double period = 4 * height / std::sqrt(modulus / density);
+  const Problem<2> problem = gravity_column(40, 0, 2 * period);
+  Simulation<2> simulation(problem);
+  double last = 0, crossing = 0;
+  const double settled = -density * 9.81 * height * height / (2 * modulus);
+  // The top starts at 0, above the rest position, and passes through it upwards at 3/4 of a period.
+  while (!simulation.finished() && crossing == 0) {
+    simulation.step();
+    const auto state = simulation.state();
+    const double u = state.fields.at("node.displacement")[2 * 41 + 2 * 40] - settled;
+    if (last < 0 && u >= 0) crossing = state.time;
+    last = u;
+  }
+  EXPECT_NEAR(crossing / period, 0.75, 0.015);
+}
+
+TEST(ElasticSkeleton, AStepAllocatesNothing) {
+  Simulation<2> simulation(gravity_column(20, 0.1, 1.0));
+  for (int warm_up = 0; warm_up < 10; ++warm_up) simulation.step();
+  const long before = allocations;
+  for (int step = 0; step < 500; ++step) simulation.step();
+  EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(ElasticSkeleton, StaysStableAtItsLimit) {
+  Problem<2> problem = gravity_column(20, 0, 0.5);
+  problem.stages[0].step_safety = 1.0;
+  const auto history = run<2>(problem);
+  // Twice the static settlement is the largest swing of a column let go.
+  const double static_settlement = density * 9.81 * height * height / (2 * modulus);
+  EXPECT_LT(std::abs(history.snapshots.at(0).node_displacement[40][1]), 2.1 * static_settlement);
+}
+
+TEST(ElasticSkeleton, APointThatLeavesTheMeshStopsTheRun) {
+  Problem<2> problem = gravity_column(10, 0, 5);
+  problem.fixities.clear();  // falls through the base
+  EXPECT_THROW(run<2>(problem), GaveUp);
+}
+
+}  // namespace
+}  // namespace wetfront::mpm

@@ -1,0 +1,109 @@
+// Stencils on skewed cells, places and cells, seeding.
+#include "mpm/seeding.h"
+#include "tests/mpm/strip.h"
+
+#include <gtest/gtest.h>
+
+namespace wetfront::mpm {
+namespace {
+
+meshes::Mesh skewed_quads() {
+  meshes::Mesh mesh;
+  mesh.nodes = {{0, 0, 0}, {1.3, 0.2, 0}, {2.1, -0.1, 0}, {-0.2, 0.9, 0}, {1.0, 1.4, 0}, {2.6, 1.1, 0}};
+  mesh.cells = {0, 1, 4, 3, 1, 2, 5, 4};
+  mesh.region = {0, 0};
+  mesh.region_names = {"soil"};
+  return mesh;
+}
+
+meshes::Mesh skewed_brick() {
+  meshes::Mesh mesh;
+  mesh.dim = 3;
+  mesh.nodes = {{0, 0, 0},     {1.2, 0.1, 0}, {1.1, 1.3, 0.1},  {-.1, 1, 0},
+                {0.1, 0, 0.9}, {1.3, 0, 1.1}, {1.2, 1.1, 1.25}, {0, 1.1, 1}};
+  mesh.cells = {0, 1, 2, 3, 4, 5, 6, 7};
+  mesh.region = {0};
+  mesh.region_names = {"soil"};
+  return mesh;
+}
+
+template <int dim>
+void expect_linear_completeness(const Grid<dim>& grid, std::size_t cell, const Vector<dim>& xi) {
+  Stencil<dim> s;
+  grid.stencil(cell, xi, s);
+  const Vector<dim> x = grid.place(cell, xi);
+  double one = 0;
+  Vector<dim> place{}, zero{};
+  std::array<Vector<dim>, dim> identity{};
+  for (int i = 0; i < cell_nodes<dim>; ++i) {
+    const auto& node = grid.node(grid.cell_nodes_of(cell)[i]);
+    one += s.value[i];
+    for (int a = 0; a < dim; ++a) {
+      place[a] += s.value[i] * node[a];
+      zero[a] += s.gradient[i][a];
+      for (int b = 0; b < dim; ++b) identity[a][b] += node[a] * s.gradient[i][b];
+    }
+  }
+  EXPECT_NEAR(one, 1, 1e-14);
+  for (int a = 0; a < dim; ++a) {
+    EXPECT_NEAR(place[a], x[a], 1e-14);
+    EXPECT_NEAR(zero[a], 0, 1e-14);
+    for (int b = 0; b < dim; ++b) EXPECT_NEAR(identity[a][b], a == b, 1e-13);
+    EXPECT_NEAR(grid.local(cell, x)[a], xi[a], 1e-12);
+  }
+}
+
+TEST(Stencil, IsCompleteOnSkewedQuads) {
+  const Grid<2> grid(skewed_quads());
+  EXPECT_FALSE(grid.affine(0));
+  for (double u : {-0.9, 0.1, 0.6})
+    for (double v : {-0.7, 0.3, 1.0})
+      for (std::size_t cell : {0, 1}) expect_linear_completeness<2>(grid, cell, {u, v});
+}
+
+TEST(Stencil, IsCompleteOnASkewedBrick) {
+  const Grid<3> grid(skewed_brick());
+  for (double u : {-0.9, 0.6})
+    for (double v : {-0.7, 0.3})
+      for (double w : {-0.2, 0.8}) expect_linear_completeness<3>(grid, 0, {u, v, w});
+}
+
+TEST(Stencil, AffineCellsTakeTheFastPathAndAgree) {
+  meshes::Mesh mesh = skewed_quads();
+  mesh.nodes[4] = {1.1, 1.1, 0};  // makes cell 0 a parallelogram
+  const Grid<2> grid(mesh);
+  EXPECT_TRUE(grid.affine(0));
+  EXPECT_FALSE(grid.affine(1));
+  expect_linear_completeness<2>(grid, 0, {0.3, -0.8});
+}
+
+TEST(Grid, FindsCellsFromNearAndFar) {
+  const Grid<2> grid(test::strip(1.2, 40));
+  EXPECT_EQ(grid.find_cell({0.01, 0.031}, 0), 1);
+  EXPECT_EQ(grid.find_cell({0.01, 1.19}, 0), 39);
+  EXPECT_EQ(grid.find_cell({0.01, 1.21}, 39), -1);
+  EXPECT_NEAR(grid.smallest_altitude(7), 0.03, 1e-14);
+}
+
+TEST(Seeding, GaussPointsFillTheCellsExactly) {
+  const Grid<2> grid(skewed_quads());
+  for (int per_cell : {1, 4, 9, 16, 25}) {
+    auto points = seed<2>(grid, per_cell);
+    ASSERT_EQ(points.size(), static_cast<std::size_t>(2 * per_cell));
+    double area = 0;
+    for (double v : points.columns.at("volume").values()) area += v;
+    // Shoelace area of the two cells; the Jacobian of a bilinear map is linear, any Gauss rule is exact.
+    EXPECT_NEAR(area, 1.40 + 1.47, 1e-12) << per_cell;
+  }
+  EXPECT_THROW(seed<2>(grid, 5), CannotPlan);
+}
+
+TEST(Seeding, FourPointsSitAtTheTwoPointGaussPlaces) {
+  const Grid<2> grid(test::strip(1.2, 40));
+  const auto points = seed<2>(grid, 4);
+  EXPECT_NEAR(points.position(0)[1], 0.015 * (1 - 1 / std::sqrt(3.0)), 1e-15);
+  EXPECT_NEAR(points.position(159)[1], 1.2 - 0.015 * (1 - 1 / std::sqrt(3.0)), 1e-14);
+}
+
+}  // namespace
+}  // namespace wetfront::mpm
