@@ -17,7 +17,7 @@ struct VanGenuchtenPowers {
 ValueAndSlope effective_saturation(const VanGenuchten& soil, double head) {
   const VanGenuchtenPowers p(soil, head);
   const double se = std::exp(-p.m * p.log1p_u);
-  return {se, p.m * soil.n * se * p.u / ((1 + p.u) * -head)};
+  return {se, p.m * soil.n * se / ((1 + 1 / p.u) * -head)};
 }
 
 ValueAndSlope effective_saturation(const ExponentialRetention& soil, double head) {
@@ -32,8 +32,8 @@ ValueAndSlope mualem(const VanGenuchten& soil, double head) {
   const double t = -std::expm1(p.m * log_ratio);
   const double kr = std::exp(-0.5 * p.m * p.log1p_u) * t * t;
   const double n_over_head = soil.n / head;  // d(log u)/dpsi
-  // d(log Kr)/dpsi = -m/2 u/(1+u) dlog(u) - 2 (1-T)/T m/(1+u) dlog(u)
-  const double log_slope = -p.m * n_over_head / (1 + p.u) * (0.5 * p.u + 2 * (1 - t) / t);
+  // d(log Kr)/dpsi = -m [u/2 + 2 (1-T)/T] / (1+u) d(log u)/dpsi
+  const double log_slope = -p.m * n_over_head * (0.5 / (1 + 1 / p.u) + 2 * (1 - t) / (t * (1 + p.u)));
   return {kr, kr * log_slope};
 }
 

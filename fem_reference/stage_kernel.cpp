@@ -158,7 +158,9 @@ bool StageKernel::solve(std::span<const double> target, double tau, std::span<do
     double ratio = 0;
     failure_.residuals.push_back(worst_residual(failure_.dof, ratio));
     failure_.head = head[failure_.dof];
-    if (!changed && ratio <= 1) return true;
+    // The guess itself must be far better than that: a step so small that it changes less than the tolerance would
+    // otherwise pass without doing anything, and its rain would be lost.
+    if (!changed && ratio <= (iteration == 0 ? 1e-3 : 1)) return true;
     if (!std::isfinite(ratio)) {
       failure_.reason = "the residual is not a number";
     } else if (iteration == max_iterations) {

@@ -46,12 +46,13 @@ TEST(ProblemChecks, NameTheEntry) {
   expect_refused([](auto& p) { p.gauges = {{"well", {3, 0, 0}}}; }, "gauge 'well'");
 }
 
-// A soil that is impervious when dry and absurdly conductive when wet: no step size helps once the rain arrives.
+// exp(-800) underflows: at -1 m this soil has no capacity and no conductivity left, so the Jacobian is singular as soon
+// as rain asks for a change, and no step size helps.
 TEST(GaveUp, SaysWhereAndKeepsThePartialResult) {
   for (Integrator integrator : {Integrator::bdf, Integrator::backward_euler}) {
     RichardsProblem problem = seed_column(20, 0.087, 0, 1000);
     problem.boundary = {RainSide{"top", {{500}, {1e-3}}}};
-    problem.soils = {{"absurd", ExponentialRetention{0.1, 0.4, 2}, ExponentialConductivity{800}, 1e300, 0, 0}};
+    problem.soils = {{"absurd", ExponentialRetention{0.1, 0.4, 800}, ExponentialConductivity{800}, 1e-4, 0, 0}};
     problem.initial_head.assign(21, -1.0);
     problem.output_times = {250, 1000};
     problem.integrator = integrator;
@@ -63,8 +64,7 @@ TEST(GaveUp, SaysWhereAndKeepsThePartialResult) {
       EXPECT_THAT(failure.what(), HasSubstr("pressure head"));
       EXPECT_THAT(failure.what(), HasSubstr("residuals"));
       EXPECT_EQ(failure.partial.snapshots.size(), 1U);
-      EXPECT_GE(failure.partial.ledger.back().time, 500);
-      EXPECT_LT(failure.partial.ledger.back().time, 1000);
+      EXPECT_EQ(failure.partial.ledger.back().time, 500);
       EXPECT_FALSE(failure.partial.log.empty());
       std::printf("  %s\n", failure.what());
     }
