@@ -75,6 +75,15 @@ TEST(Restart, ElasticSkeletonWithPointsThatChangeCells) {
   const auto before = probe.state().fields.at("points per cell");
   while (!probe.finished()) probe.step();
   ASSERT_NE(before, probe.state().fields.at("points per cell"));
+  // Points are where the cells that claim them are: cell k spans h k to h (k+1), h = 0.15 m.
+  const State end = probe.state();
+  const auto& height = end.fields.at("point.position");
+  std::size_t point = height.size() / 2;
+  for (std::size_t cell = 0; cell < 8; ++cell)
+    for (int k = 0; k < static_cast<int>(end.fields.at("points per cell")[cell]); ++k, ++point) {
+      EXPECT_GE(height[point], 0.15 * static_cast<double>(cell) - 1e-9);
+      EXPECT_LE(height[point], 0.15 * static_cast<double>(cell + 1) + 1e-9);
+    }
   expect_continuation(problem, 4);
 }
 

@@ -224,6 +224,31 @@ TEST(Seepage, ASkewedMeshOfTwoSoilsBalances) {
   EXPECT_NEAR(history.ledger.back().rain_asked, 0.06 * 1e-4 * 300, 1e-12);
 }
 
+TEST(Seepage, APillarInThreeDimensionsIsTheStripInTwo) {
+  const Problem<2> strip = [] {
+    Problem<2> problem = test::seed_column(10, 0.87, 3e-5, 300);
+    problem.output_times = {300};
+    return problem;
+  }();
+  Problem<3> pillar;
+  pillar.mesh = test::pillar(1.2, 10);
+  pillar.gravity = {0, 0, -9.81};
+  pillar.water = strip.water;
+  pillar.soils = strip.soils;
+  for (const auto& node : pillar.mesh.nodes) pillar.initial_pressure.push_back(-std::min(9810.0 * node[2], 10e3));
+  pillar.water_boundary = strip.water_boundary;
+  pillar.points_per_cell = 8;
+  pillar.stages = strip.stages;
+  pillar.output_times = strip.output_times;
+  const auto flat = run<2>(strip);
+  const auto deep = run<3>(pillar);
+  for (std::size_t level = 0; level <= 10; ++level)
+    EXPECT_NEAR(deep.snapshots[0].node_pressure[4 * level], flat.snapshots[0].node_pressure[2 * level], 1e-6);
+  const double width = 0.12;
+  EXPECT_NEAR(deep.ledger.back().stored / width, flat.ledger.back().stored, 1e-12);
+  EXPECT_LE(worst_balance(deep), 1e-8);
+}
+
 TEST(Seepage, GivesUpWithTheHistoryItHas) {
   Problem<2> problem = test::seed_column(10, 0.087, 3e-5, 1000);
   problem.stages[0].time_tolerance = 1e-300;  // no step is that accurate

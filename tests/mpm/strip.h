@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 /// Hand-made strips of cells and the soils of benchmarks.md, for the tests of mpm/.
 namespace wetfront::mpm::test {
@@ -23,6 +24,23 @@ inline meshes::Mesh strip(double height, int cells) {
   }
   mesh.region_names = {"soil"};
   mesh.sides = {{"base", {0, 1}}, {"top", {2 * cells, 2 * cells + 1}}, left, right};
+  return mesh;
+}
+
+/// The same column in three dimensions: nodes 4k .. 4k+3 counter-clockwise at height k h.
+inline meshes::Mesh pillar(double height, int cells) {
+  meshes::Mesh mesh;
+  mesh.dim = 3;
+  const double h = height / cells;
+  for (int k = 0; k <= cells; ++k)
+    for (const auto& [x, y] : {std::pair{0., 0.}, {h, 0.}, {h, h}, {0., h}})
+      mesh.nodes.push_back({x, y, k == cells ? height : k * h});
+  for (int k = 0; k < cells; ++k) {
+    for (int i = 0; i < 8; ++i) mesh.cells.push_back(4 * k + i);
+    mesh.region.push_back(0);
+  }
+  mesh.region_names = {"soil"};
+  mesh.sides = {{"base", {0, 1, 2, 3}}, {"top", {4 * cells, 4 * cells + 1, 4 * cells + 2, 4 * cells + 3}}};
   return mesh;
 }
 
