@@ -7,8 +7,15 @@
 namespace wetfront::fem_reference {
 namespace {
 
-// Quadratic convergence needs 2-5; what takes longer is cheaper with a smaller step.
-constexpr int max_iterations = 15;
+// Quadratic convergence needs 2-5 iterations; what takes longer is cheaper with a smaller step, unless it is the steady
+// linear convergence out of a flat point (W ~ |psi|^n at saturation), which no step size cures.
+constexpr int patience = 15, max_iterations = 80;
+constexpr double steady_decrease = 0.7;
+
+bool stalls(const std::vector<double>& residuals) {
+  const std::size_t n = residuals.size();
+  return n > max_iterations || (n > patience && residuals[n - 1] > steady_decrease * residuals[n - 2]);
+}
 
 /// |psi| at which theta has dropped by `drop` from saturation [m]; the largest of all soils, by bisection.
 double head_of_drop(const std::vector<SoilLaw>& laws, double drop) {
@@ -163,8 +170,8 @@ bool StageKernel::solve(std::span<const double> target, double tau, std::span<do
     if (!changed && ratio <= (iteration == 0 ? 1e-3 : 1)) return true;
     if (!std::isfinite(ratio)) {
       failure_.reason = "the residual is not a number";
-    } else if (iteration == max_iterations) {
-      failure_.reason = "no convergence in " + std::to_string(max_iterations) + " Newton iterations";
+    } else if (stalls(failure_.residuals)) {
+      failure_.reason = "no convergence in " + std::to_string(iteration) + " Newton iterations";
     } else if (!newton_step(tau, head)) {
       failure_.reason = "the Jacobian is singular";
     }
