@@ -7,7 +7,8 @@
 
 namespace wetfront::mpm {
 
-/// The two-velocity pore liquid with implicit drag (`implicit-drag`) in a rigid skeleton; TWO_VELOCITY.md derives it.
+/// The two-velocity pore liquid with implicit drag (`implicit-drag`) in a resting or an elastic skeleton;
+/// TWO_VELOCITY.md derives it.
 ///
 /// Points carry the liquid velocity and their water W_p (what is conserved); the pressure of a cell is the inverse of
 /// its water content. One cycle is steps I to IX of Lee et al. 2021 with the mass balance in flux form.
@@ -24,9 +25,12 @@ class TwoVelocityLiquid : public Effect<dim> {
  private:
   void provide_columns(StagePlan<dim>& plan);
   void add_momentum(StagePlan<dim>& plan);
+  void add_pull_on_skeleton(StagePlan<dim>& plan);
   void add_mass_balance(StagePlan<dim>& plan);
+  void add_pressure(StagePlan<dim>& plan);
   void add_state(StagePlan<dim>& plan);
   void add_limits(StagePlan<dim>& plan);
+  void add_wave_limit(StagePlan<dim>& plan);
   void add_ledger(StagePlan<dim>& plan);
   void add_output(StagePlan<dim>& plan);
   void take_over(StagePlan<dim>& plan);
@@ -34,12 +38,14 @@ class TwoVelocityLiquid : public Effect<dim> {
   void start_as_darcy(StagePlan<dim>& plan);
   void tell_hand_over(meshes::FieldHistory& history);
   double divergence_of(const Block& block) const;
-  void sum_cells(const StagePlan<dim>& plan);
+  void sum_cells(StagePlan<dim>& plan);
+  Vector<dim> liquid_weight(const StagePlan<dim>& plan) const;
 
   std::shared_ptr<TwoVelocityWater<dim>> water_;
-  Column* point_water_ = nullptr;     ///< W_p
-  Column* point_velocity_ = nullptr;  ///< v_l
-  Column* steps_ = nullptr;           ///< the last dt
+  MovingSkeleton<dim>* moving_ = nullptr;  ///< owned by water_; null where the skeleton rests
+  Column* point_water_ = nullptr;          ///< W_p
+  Column* point_velocity_ = nullptr;       ///< v_l
+  Column* steps_ = nullptr;                ///< the last dt
   std::function<void()> from_points_, forces_;
   std::string hand_over_;        ///< a sentence for the log
   double hand_over_change_ = 0;  ///< m^dim

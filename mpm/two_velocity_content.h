@@ -52,7 +52,7 @@ class WaterContent {
       const double excess = value(p) - content;
       (excess > 0 ? high : low) = p;
       const double next = p - excess / slope(p);
-      const double step = (next > low && next < high ? next : 0.5 * (low + high)) - p;
+      const double step = (next >= low && next <= high ? next : 0.5 * (low + high)) - p;
       p += step;
       if (std::abs(step) <= 1e-10 * std::abs(p)) break;
     }

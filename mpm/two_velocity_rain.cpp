@@ -19,11 +19,25 @@ double along(const Column& column, std::size_t i, const Vector<dim>& direction) 
   return sum;
 }
 
+template <int dim>
+Vector<dim> at(const Column& column, std::size_t i) {
+  Vector<dim> v{};
+  for (int a = 0; a < dim; ++a) v[a] = column[a][i];
+  return v;
+}
+
 double sum(const Column& column) {
   return std::accumulate(column.values().begin(), column.values().end(), 0.0);
 }
 
 }  // namespace
+
+template <int dim>
+double RainOnTwoVelocity<dim>::normal_part(const Node& node, const Velocities<dim>& v) {
+  double sum = 0;
+  for (int a = 0; a < dim; ++a) sum += (v.liquid[a] - v.solid[a]) * node.normal[a];
+  return sum;
+}
 
 template <int dim>
 void RainOnTwoVelocity<dim>::collect(const StagePlan<dim>& plan) {
@@ -77,31 +91,34 @@ void RainOnTwoVelocity<dim>::correct(double time, double dt) {
   for (Node& node : nodes_) {
     const std::size_t i = node.index;
     const double content = (*w.content)[0][i], rain = rate(node, time) / node.area;
-    Vector<dim> capacity = w.driven(i, node.mobility, dt);
-    w.walls.project(i, capacity);
-    double residual = rain;
-    for (int a = 0; a < dim; ++a) residual += content * capacity[a] * node.normal[a];
+    Velocities<dim> capacity = w.skeleton->driven(w, i, node.mobility, dt);
+    w.keep_to_walls(i, capacity);
+    const double residual = content * normal_part(node, capacity) + rain;
     const bool ponded = residual >= 0;
     (*ponded_)[0][i] = ponded ? 1 : 0;
-    if (ponded) {
-      node.flux = residual - rain;
-      for (int a = 0; a < dim; ++a) (*w.velocity_new)[a][i] = capacity[a];
-    } else {
-      node.flux = -rain;
-      const double excess = content * along<dim>(*w.velocity_new, i, node.normal) - node.flux;
-      for (int a = 0; a < dim; ++a) (*w.velocity_new)[a][i] -= excess / content * node.along[a];
+    node.flux = ponded ? residual - rain : -rain;
+    Velocities<dim> v = capacity;
+    if (!ponded) {
+      for (int a = 0; a < dim; ++a) v.liquid[a] = (*w.velocity_new)[a][i];
+      v.solid = w.skeleton->get_new(i, dt);
+      Vector<dim> change = node.along;
+      for (double& component : change) component *= node.flux / content - normal_part(node, v);
+      w.skeleton->change_relative(w, i, change, v);
     }
+    for (int a = 0; a < dim; ++a) (*w.velocity_new)[a][i] = v.liquid[a];
+    w.skeleton->set_new(i, v.solid, dt);
   }
 }
 
-/// Step III: mapping points back blurs the surface velocity; its normal part is what step II decided.
+/// Step III: mapping points back blurs the surface velocity; its normal part is what step II decided. (Only the liquid
+/// is corrected: the skeleton's nodal velocity has moved its points already.)
 template <int dim>
 void RainOnTwoVelocity<dim>::restore() {
   TwoVelocityWater<dim>& w = *water_;
   for (const Node& node : nodes_) {
-    const double content = (*w.content)[0][node.index];
-    const double excess = content * along<dim>(*w.velocity, node.index, node.normal) - node.flux;
-    for (int a = 0; a < dim; ++a) (*w.velocity)[a][node.index] -= excess / content * node.along[a];
+    const Velocities<dim> v{at<dim>(*w.velocity, node.index), w.skeleton->velocity(node.index)};
+    const double missing = node.flux / (*w.content)[0][node.index] - normal_part(node, v);
+    for (int a = 0; a < dim; ++a) (*w.velocity)[a][node.index] += missing * node.along[a];
   }
 }
 
@@ -166,7 +183,7 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
     for (double start : rain.rain.start) plan.add_break(start);
   plan.add(Phase::accelerate, "rainfall", [this, &plan] { correct(plan.clock.time, plan.clock.dt); });
   plan.add(Phase::point_velocity, "rainfall after mapping back", [this] { restore(); });
-  plan.add(Phase::saturation, "rained surface", [this, &plan] {
+  plan.add(water_->conductivities_in, "rained surface", [this, &plan] {
     surface_state();
     anticipate(plan.clock.end);
   });

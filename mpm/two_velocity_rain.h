@@ -42,6 +42,8 @@ class RainOnTwoVelocity : public Effect<dim> {
   void book(double time, double dt);
   void fill_ledger(double time);
   double rate(const Node& node, double time) const;
+  /// (v_l - v_s).n
+  static double normal_part(const Node& node, const Velocities<dim>& v);
 
   std::shared_ptr<TwoVelocityWater<dim>> water_;
   std::vector<RainSide> rains_;

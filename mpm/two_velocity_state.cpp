@@ -1,4 +1,5 @@
 #include "mpm/soil_water.h"
+#include "mpm/stress_law.h"
 #include "mpm/two_velocity.h"
 #include "mpm/two_velocity_content.h"
 
@@ -29,10 +30,7 @@ void TwoVelocityLiquid<dim>::add_state(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
   auto& points = plan.fields.points;
   const std::size_t nodes = plan.fields.grid.node_count();
-  Vector<dim> weight{};
-  const Column* gravity = plan.fields.run.find("gravity");
-  if (gravity != nullptr && !gravity->provided_by().empty())
-    for (int a = 0; a < dim; ++a) weight[a] = w.density * plan.problem.gravity[a];
+  const Vector<dim> weight = liquid_weight(plan);
   // Mean of the cells' pressures, carried hydrostatically from their centres to the node: the shift cancels inside a
   // uniform mesh and is exact at an impermeable boundary at rest.
   const auto pressures = [&w, &points, weight, nodes] {
@@ -49,7 +47,7 @@ void TwoVelocityLiquid<dim>::add_state(StagePlan<dim>& plan) {
       for (int a = 0; a < dim; ++a) p += weight[a] * (*w.offset)[a][i];
     }
   };
-  plan.add(Phase::saturation, "nodal pressure", pressures);
+  plan.add(w.conductivities_in, "nodal pressure", pressures);
   plan.at_ready(pressures);
   for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
     const Soil& soil = plan.problem.soils[r];
@@ -74,7 +72,7 @@ void TwoVelocityLiquid<dim>::add_state(StagePlan<dim>& plan) {
           }
         }
       };
-      plan.add(Phase::saturation, "conductivity [" + soil.name + "]", mean);
+      plan.add(w.conductivities_in, "conductivity [" + soil.name + "]", mean);
       plan.at_ready(mean);
     });
   }
@@ -119,11 +117,43 @@ void TwoVelocityLiquid<dim>::add_limits(StagePlan<dim>& plan) {
           });
     });
   }
+  if (moving_ != nullptr) add_wave_limit(plan);
   plan.add_accuracy_limit("growth", "1.5 x the step before", [this] {
     const double last = (*steps_)[0][0];
     return last > 0 ? growth * last : std::numeric_limits<double>::infinity();
   });
   plan.add(Phase::carry, "step length", [this, &plan] { (*steps_)[0][0] = plan.clock.dt; });
+}
+
+/// The undrained wave: skeleton and liquid moving together, stiffened by the liquid; C as above, saturated near p = 0.
+template <int dim>
+void TwoVelocityLiquid<dim>::add_wave_limit(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  const double bulk_modulus = plan.problem.water->bulk_modulus;
+  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
+    const Soil& soil = plan.problem.soils[r];
+    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
+      const WaterContent law(laws.curve, bulk_modulus);
+      const double modulus = LinearElastic(*soil.elastic).constrained_modulus();
+      const auto of_cell = [&w, laws, law, modulus, solid = soil.grain_density, bulk_modulus](const Block& block) {
+        const std::size_t c = block.cell;
+        const double p = w.cells.pressure[c], pores = w.cells.pores[c] / w.cells.volume[c];
+        const double saturation = laws.saturation(p);
+        // Within a thousandth of the curve's scale of p = 0 a strain of 1e-6 saturates the cell.
+        const double slope = p > -1e-3 * laws.curve.pressure_scale() ? law.saturated() / bulk_modulus : law.slope(p);
+        const double density = (1 - pores) * solid + w.density * w.cells.water[c] / w.cells.volume[c];
+        return w.cells.size[c] / std::sqrt(dim * (modulus + saturation * saturation / (pores * slope)) / density);
+      };
+      plan.add_stability_limit("undrained wave [" + soil.name + "]",
+                               "h/(sqrt(dim) c), c^2 = (E_oed + S^2/C)/((1-n) rho_s + nS rho_l)",
+                               [&points = plan.fields.points, r, of_cell] {
+                                 double least = std::numeric_limits<double>::infinity();
+                                 for (const Block& block : points.blocks(static_cast<int>(r)))
+                                   least = std::min(least, of_cell(block));
+                                 return least;
+                               });
+    });
+  }
 }
 
 template <int dim>
@@ -138,6 +168,8 @@ template void TwoVelocityLiquid<2>::add_state(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_state(StagePlan<3>&);
 template void TwoVelocityLiquid<2>::add_limits(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_limits(StagePlan<3>&);
+template void TwoVelocityLiquid<2>::add_wave_limit(StagePlan<2>&);
+template void TwoVelocityLiquid<3>::add_wave_limit(StagePlan<3>&);
 template double TwoVelocityLiquid<2>::divergence_of(const Block&) const;
 template double TwoVelocityLiquid<3>::divergence_of(const Block&) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/two_velocity_skeleton.h"
 #include "mpm/two_velocity_walls.h"
 
 #include <memory>
@@ -36,7 +37,8 @@ struct TwoVelocityCells {
 
 /// What the effects of the two-velocity scheme share: the liquid, the nodal columns and the solve of one node.
 ///
-/// Liquid momentum per unit volume of liquid, lumped at the nodes (Lee 2021 Eqs 1 and 10, drag sign corrected):
+/// Momentum of both phases together and of the liquid per unit volume of liquid, lumped at the nodes (Lee 2021 Eqs 2
+/// and 11, Eqs 1 and 10 with the drag's sign corrected): m_s a_s + m_l a_l = F, and
 ///   rho_l V_i a_l = F_i - V_i rho_l r_i (v_l - v_s),   F_i = sum_c p_c grad_ci + V_i rho_l g,
 ///   r_i = (nS)_i mu/(k k_rel)_i / rho_l [1/s].
 template <int dim>
@@ -44,19 +46,22 @@ struct TwoVelocityWater {
   explicit TwoVelocityWater(const StagePlan<dim>& plan)
       : density(plan.problem.water->density), walls(plan), cells(plan.fields.grid.cell_count()) {}
 
-  /// Velocity after a step dt with the drag of a mobility k k_rel/mu [m2/(Pa s)], drag at the end of the step
-  /// (implicit, exact for any dt), skeleton at rest.
-  Vector<dim> driven(std::size_t i, double node_mobility, double dt) const {
-    const double r = (*content)[0][i] / (node_mobility * density);
-    Vector<dim> v{};
-    for (int a = 0; a < dim; ++a)
-      v[a] = ((*velocity)[a][i] + dt * (*force)[a][i] / (density * (*volume)[0][i])) / (1 + dt * r);
-    return v;
+  /// Takes from v_l - v_s what the walls forbid.
+  void keep_to_walls(std::size_t i, Velocities<dim>& v) const {
+    Vector<dim> change{}, relative{};
+    for (int a = 0; a < dim; ++a) change[a] = relative[a] = v.liquid[a] - v.solid[a];
+    walls.project(i, relative);
+    for (int a = 0; a < dim; ++a) change[a] = relative[a] - change[a];
+    skeleton->change_relative(*this, i, change, v);
   }
 
   double density;  ///< rho_l [kg/m3]
   ImpermeableWalls<dim> walls;
   TwoVelocityCells<dim> cells;
+  std::unique_ptr<SkeletonAtNodes<dim>> skeleton;
+  /// When the pressures of cells and nodes are found: step VI and VII where points rest; once points have moved to
+  /// their new cells (IX) where they do not.
+  Phase pressures_in = Phase::pressure, conductivities_in = Phase::saturation;
 
   Column* volume = nullptr;         ///< V_i = sum_p V_p N_i [m^dim]
   Column* content = nullptr;        ///< (nS)_i = sum_p W_p N_i / V_i, the mass m_l/(rho_l V_i) of Eq. 14 [-]

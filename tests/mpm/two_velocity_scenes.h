@@ -38,6 +38,15 @@ inline Problem<2> at_rest(int cells, double end_time) {
   return problem;
 }
 
+/// The seed paper's skeleton (Table 1) under the column: fixed at its base, on rollers at its sides.
+inline Problem<2> with_elastic_skeleton(Problem<2> problem) {
+  for (Soil& soil : problem.soils) soil.elastic = Elastic{10e6, 0.3, "test:elastic"};
+  problem.fixities = {{"base", {true, true, true}, "test:fixity"},
+                      {"left", {true, false, false}, "test:fixity"},
+                      {"right", {true, false, false}, "test:fixity"}};
+  return problem;
+}
+
 /// A layer 0.4 m thick (measured vertically) and 1 m long on a 30 degree slope, parallelogram cells, the surface rained
 /// upon and a kink in its middle when `kinked` (the upper half lies flat).
 inline Problem<2> slope(double intensity, double end_time, bool kinked) {
