@@ -1,3 +1,4 @@
+// Faults that these tables were seen to catch: Mualem exponent 3/2 for 1/2, rain x 0.93, gravity dropped, K at nodes.
 #include "tests/fem_reference/columns.h"
 
 #include <gtest/gtest.h>

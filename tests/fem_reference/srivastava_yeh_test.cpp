@@ -1,4 +1,6 @@
-// Gate R2 of benchmarks.md section 0. Faults that it was seen to catch: FAULTS
+// Gate R2 of benchmarks.md section 0. Faults that it was seen to catch: K at a cell's first node
+// instead of at the Gauss points, gravity dropped, rain x 0.93. (A wrong Jacobian does not show here, because the
+// residual decides; StageKernel.JacobianIsTheDerivative catches it.)
 #include "verification/exact/srivastava_yeh.h"
 
 #include "tests/fem_reference/columns.h"
