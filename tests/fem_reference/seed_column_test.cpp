@@ -58,6 +58,8 @@ TEST(SeedColumn, ReproducesItsTightSolution) {
   for (double s_min : {0.087, 0.87}) {
     for (double rain : rains) {
       RichardsProblem problem = main_job(120, s_min, rain);
+      // 1e-8 through the instant of filling is slow; two of the five intensities show that it can.
+      if (rain > 1e-4) problem.end_time = problem.output_times.back();
       const meshes::FieldHistory loose = solve(problem);
       problem.tolerance = 1e-8;
       const double error = distance(loose, solve(problem));
