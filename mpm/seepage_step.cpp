@@ -105,7 +105,8 @@ template <int dim>
 bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
   residuals_.assign(1, residual(weights, dt));
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    if (residuals_.back() <= newton_tolerance) return true;
+    // At least one iteration: a guess within the tolerance would lose the rain of very small steps.
+    if (iteration > 0 && residuals_.back() <= newton_tolerance) return true;
     for (double& value : water_.matrix->values()) value *= -dt;
     const double* capacity = (*water_.capacity)[0];
     for (int i : active_) water_.add_slope(i, weights.now * capacity[i]);
