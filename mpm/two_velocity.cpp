@@ -30,47 +30,38 @@ void TwoVelocityLiquid<dim>::provide_columns(StagePlan<dim>& plan) {
   point_velocity_ = &plan.provide_on_points({"liquid velocity", "v_l", "m/s", dim});
 }
 
+/// Integrals over the cells and nodes from the points where they are now.
 template <int dim>
 void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
   const auto& grid = plan.fields.grid;
   auto& points = plan.fields.points;
-  Column &volume = points.columns.at("volume"), &shape = points.columns.at("shape value"),
-         &gradient = points.columns.at("shape gradient");
-  const Column* mass = moving_ != nullptr ? &points.columns.at("mass") : nullptr;
-  TwoVelocityCells<dim>& cells = water_->cells;
-  water_->volume->fill(0);
-  water_->offset->fill(0);
+  auto& columns = points.columns;
+  const Column& volume = columns.at("volume");
+  TwoVelocityWater<dim>& w = *water_;
+  w.volume->fill(0);
+  w.offset->fill(0);
   for (const Block& block : points.blocks()) {
-    const std::size_t c = block.cell;
-    const Soil& soil = plan.problem.soils[static_cast<std::size_t>(grid.region(c))];
-    if (mass != nullptr) fill_stencils<dim>(grid, points, block, shape, gradient);
+    const Soil& soil = plan.problem.soils[static_cast<std::size_t>(grid.region(block.cell))];
     double grains = 0;
-    cells.volume[c] = 0;
-    cells.share[c] = {};
-    cells.gradient[c] = {};
-    cells.size[c] = grid.smallest_altitude(c);
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      cells.volume[c] += volume[0][q];
-      grains += mass != nullptr ? (*mass)[0][q] / soil.grain_density : (1 - soil.porosity) * volume[0][q];
-      for (int i = 0; i < cell_nodes<dim>; ++i) {
-        cells.share[c][i] += volume[0][q] * shape[i][q];
-        for (int a = 0; a < dim; ++a) cells.gradient[c][i][a] += volume[0][q] * gradient[i * dim + a][q];
-      }
+    if (moving_ != nullptr) {
+      fill_stencils<dim>(grid, points, block, columns.at("shape value"), columns.at("shape gradient"));
+      const Column& mass = columns.at("mass");
+      for (std::size_t q = block.first; q < block.first + block.count; ++q) grains += mass[0][q] / soil.grain_density;
+    } else {
+      for (std::size_t q = block.first; q < block.first + block.count; ++q)
+        grains += (1 - soil.porosity) * volume[0][q];
     }
-    cells.pores[c] = cells.volume[c] - grains;
-    Vector<dim> centre{};
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      for (int a = 0; a < dim; ++a) centre[a] += cells.share[c][i] / cells.volume[c] * grid.node(block.nodes[i])[a];
-    cells.centre[c] = centre;
+    w.cells.sum(grid, points, block, grains);
     for (int i = 0; i < cell_nodes<dim>; ++i) {
-      (*water_->volume)[0][block.nodes[i]] += cells.share[c][i];
+      const double share = w.cells.share[block.cell][i];
+      (*w.volume)[0][block.nodes[i]] += share;
       for (int a = 0; a < dim; ++a)
-        (*water_->offset)[a][block.nodes[i]] += cells.share[c][i] * (grid.node(block.nodes[i])[a] - centre[a]);
+        (*w.offset)[a][block.nodes[i]] += share * (grid.node(block.nodes[i])[a] - w.cells.centre[block.cell][a]);
     }
   }
   for (std::size_t i = 0; i < grid.node_count(); ++i)
-    if ((*water_->volume)[0][i] > 0)
-      for (int a = 0; a < dim; ++a) (*water_->offset)[a][i] /= (*water_->volume)[0][i];
+    if ((*w.volume)[0][i] > 0)
+      for (int a = 0; a < dim; ++a) (*w.offset)[a][i] /= (*w.volume)[0][i];
 }
 
 template <int dim>

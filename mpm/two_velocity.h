@@ -37,7 +37,6 @@ class TwoVelocityLiquid : public Effect<dim> {
   std::array<double, cell_nodes<dim>> centre_weights(const StagePlan<dim>& plan, const Block& block) const;
   void start_as_darcy(StagePlan<dim>& plan);
   void tell_hand_over(meshes::FieldHistory& history);
-  double divergence_of(const Block& block) const;
   void sum_cells(StagePlan<dim>& plan);
   Vector<dim> liquid_weight(const StagePlan<dim>& plan) const;
 

@@ -2,21 +2,10 @@
 #include "mpm/two_velocity.h"
 #include "mpm/two_velocity_content.h"
 
+#include <algorithm>
+
 /// Steps IV and VI of the two-velocity scheme: mass balance of the liquid, pressure of the cells.
 namespace wetfront::mpm {
-
-namespace {
-
-/// sum_p V_p sum_i grad N_i . u_i over a cell: its outflow when u is the nodal flux.
-template <int dim>
-double divergence(const Block& block, const TwoVelocityCells<dim>& cells, const Column& u) {
-  double sum = 0;
-  for (int i = 0; i < cell_nodes<dim>; ++i)
-    for (int a = 0; a < dim; ++a) sum += cells.gradient[block.cell][i][a] * u[a][block.nodes[i]];
-  return sum;
-}
-
-}  // namespace
 
 /// Steps IV and VI: nodal Darcy flux, cell outflow, water of the points, pressure of the cells.
 template <int dim>
@@ -34,18 +23,17 @@ void TwoVelocityLiquid<dim>::add_mass_balance(StagePlan<dim>& plan) {
     }
   });
   const auto take = [this, &w, &plan, &volume](const Block& block, double outflow) {
-    w.cells.outflow[block.cell] = outflow;
     const double change = -plan.clock.dt * outflow / w.cells.volume[block.cell];
     for (std::size_t q = block.first; q < block.first + block.count; ++q)
       (*point_water_)[0][q] += change * volume[0][q];
   };
   if (plan.stage.mass_balance == MassBalance::conservative)
     plan.add_over_blocks(Phase::pressure, "mass balance",
-                         [&w, take](const Block& block) { take(block, divergence<dim>(block, w.cells, *w.flux)); });
+                         [&w, take](const Block& block) { take(block, w.cells.flow_out(block, *w.flux)); });
   else
     plan.add_over_blocks(Phase::pressure, "mass balance as printed in 2021", [&w, take](const Block& block) {
       const double content = w.cells.water[block.cell] / w.cells.volume[block.cell];
-      take(block, content * divergence<dim>(block, w.cells, *w.velocity));
+      take(block, content * w.cells.flow_out(block, *w.velocity));
     });
   add_pressure(plan);
 }
@@ -55,7 +43,19 @@ void TwoVelocityLiquid<dim>::add_mass_balance(StagePlan<dim>& plan) {
 template <int dim>
 void TwoVelocityLiquid<dim>::add_pressure(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
-  if (moving_ != nullptr) plan.add(Phase::carry, "cell integrals after moving", [this, &plan] { sum_cells(plan); });
+  if (moving_ != nullptr) {
+    const std::vector<std::size_t> start = plan.fields.points.count_of_cell();
+    plan.add(Phase::carry, "cell integrals after moving", [this, &plan, start] {
+      // Rain sides and walls are those of the cells occupied at the start.
+      const auto& now = plan.fields.points.count_of_cell();
+      if (!std::equal(now.begin(), now.end(), start.begin(),
+                      [](std::size_t a, std::size_t b) { return (a > 0) == (b > 0); }))
+        throw StepFailed(
+            "points have left a cell empty or entered an empty one (the two-velocity scheme does not follow "
+            "a moving surface yet). End the stage before");
+      sum_cells(plan);
+    });
+  }
   for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
     const Soil& soil = plan.problem.soils[r];
     with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {

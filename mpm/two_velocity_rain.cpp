@@ -93,6 +93,11 @@ void RainOnTwoVelocity<dim>::correct(double time, double dt) {
     const double content = (*w.content)[0][i], rain = rate(node, time) / node.area;
     Velocities<dim> capacity = w.skeleton->driven(w, i, node.mobility, dt);
     w.keep_to_walls(i, capacity);
+    if (normal_part(node, capacity) > 0) {
+      // Water leaves through the surface with the conductivity that the soil behind it has: none to speak of when dry.
+      capacity = w.skeleton->driven(w, i, (*w.cell_mobility)[0][i], dt);
+      w.keep_to_walls(i, capacity);
+    }
     const double residual = content * normal_part(node, capacity) + rain;
     const bool ponded = residual >= 0;
     (*ponded_)[0][i] = ponded ? 1 : 0;
@@ -166,6 +171,7 @@ void RainOnTwoVelocity<dim>::fill_ledger(double time) {
   (*ledger_)[ledger_rain_asked][0] = sum(*asked_);
   (*ledger_)[ledger_infiltrated][0] = sum(*imposed_);
   (*ledger_)[ledger_run_off][0] = sum(*run_off_);
+  (*ledger_)[ledger_outflow][0] = sum(*outflow_);  // what seeps out of the rained surface is booked here
 }
 
 template <int dim>

@@ -102,7 +102,7 @@ void TwoVelocityLiquid<dim>::add_limits(StagePlan<dim>& plan) {
         const double now = stable(law.slope(cells.pressure[c]));
         // A cell near saturation stiffens 1e4-fold within a step: the limit is that of the stiffest state it can reach.
         const double last = (*steps_)[0][0];
-        const double rate = std::max(std::abs(divergence_of(block)), rain) / cells.pores[c];
+        const double rate = std::max(std::abs(cells.flow_out(block, *w.flux)), rain) / cells.pores[c];
         const double ahead = cells.water[c] / cells.pores[c] + steps_ahead * rate * (last > 0 ? growth * last : now);
         const double p_ahead = ahead >= law.saturated() ? 0.0 : law.pressure_of(ahead);
         return std::min(now, stable(law.slope(p_ahead)));
@@ -156,21 +156,11 @@ void TwoVelocityLiquid<dim>::add_wave_limit(StagePlan<dim>& plan) {
   }
 }
 
-template <int dim>
-double TwoVelocityLiquid<dim>::divergence_of(const Block& block) const {
-  double sum = 0;
-  for (int i = 0; i < cell_nodes<dim>; ++i)
-    for (int a = 0; a < dim; ++a) sum += water_->cells.gradient[block.cell][i][a] * (*water_->flux)[a][block.nodes[i]];
-  return sum;
-}
-
 template void TwoVelocityLiquid<2>::add_state(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_state(StagePlan<3>&);
 template void TwoVelocityLiquid<2>::add_limits(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_limits(StagePlan<3>&);
 template void TwoVelocityLiquid<2>::add_wave_limit(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_wave_limit(StagePlan<3>&);
-template double TwoVelocityLiquid<2>::divergence_of(const Block&) const;
-template double TwoVelocityLiquid<3>::divergence_of(const Block&) const;
 
 }  // namespace wetfront::mpm

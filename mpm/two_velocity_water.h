@@ -13,26 +13,29 @@ namespace wetfront::mpm {
 /// Everything here is rebuilt from point columns. Volumes of water are at the reference density rho_l [m^dim].
 template <int dim>
 struct TwoVelocityCells {
-  explicit TwoVelocityCells(std::size_t cells)
-      : volume(cells),
-        pores(cells),
-        water(cells),
-        pressure(cells),
-        outflow(cells),
-        size(cells),
-        share(cells),
-        gradient(cells),
-        centre(cells) {}
+  explicit TwoVelocityCells(const Grid<dim>& grid);
+
+  /// Sums over the points of a block with the stencils they have; `grains` is the volume of solid in it [m^dim].
+  void sum(const Grid<dim>& grid, const MaterialPoints<dim>& points, const Block& block, double grains);
+  /// Outflow of a cell when u is the nodal flux: sum_i u_i . faces_ci [m^dim/s].
+  double flow_out(const Block& block, const Column& u) const {
+    double sum = 0;
+    for (int i = 0; i < cell_nodes<dim>; ++i)
+      for (int a = 0; a < dim; ++a) sum += faces[block.cell][i][a] * u[a][block.nodes[i]];
+    return sum;
+  }
 
   std::vector<double> volume;                                      ///< sum_p V_p [m^dim]
-  std::vector<double> pores;                                       ///< sum_p n V_p [m^dim]
+  std::vector<double> pores;                                       ///< volume less grains [m^dim]
   std::vector<double> water;                                       ///< sum_p W_p [m^dim]
   std::vector<double> pressure;                                    ///< p_c, the inverse of water/pores [Pa]
-  std::vector<double> outflow;                                     ///< sum_p V_p sum_i grad N_i . w_i [m^dim/s]
   std::vector<double> size;                                        ///< smallest altitude [m]
   std::vector<std::array<double, cell_nodes<dim>>> share;          ///< sum_p V_p N_i [m^dim]
   std::vector<std::array<Vector<dim>, cell_nodes<dim>>> gradient;  ///< sum_p V_p dN_i/dx [m^(dim-1)]
-  std::vector<Vector<dim>> centre;                                 ///< sum_p V_p x_p / volume [m]
+  /// Integral of dN_i/dx over the cell itself [m^(dim-1)]. The mass balance uses this and not the sum over points:
+  /// summed over the cells around an inner node it is zero whatever the points do, so that no water is made or lost.
+  std::vector<std::array<Vector<dim>, cell_nodes<dim>>> faces;
+  std::vector<Vector<dim>> centre;  ///< sum_p V_p x_p / volume [m]
 };
 
 /// What the effects of the two-velocity scheme share: the liquid, the nodal columns and the solve of one node.
@@ -44,7 +47,7 @@ struct TwoVelocityCells {
 template <int dim>
 struct TwoVelocityWater {
   explicit TwoVelocityWater(const StagePlan<dim>& plan)
-      : density(plan.problem.water->density), walls(plan), cells(plan.fields.grid.cell_count()) {}
+      : density(plan.problem.water->density), walls(plan), cells(plan.fields.grid) {}
 
   /// Takes from v_l - v_s what the walls forbid.
   void keep_to_walls(std::size_t i, Velocities<dim>& v) const {
