@@ -124,7 +124,7 @@ struct Stage {
   std::optional<LiquidScheme> liquid;  ///< absent in a dry scene
   double end_time = 0;                 ///< s
   TimeIntegrator integrator = TimeIntegrator::bdf2;
-  double time_tolerance = 1e-4;  ///< relative, of the error control of `seepage`
+  double time_tolerance = 1e-5;  ///< relative, of the error control of `seepage`: leaves less than the mesh does
   double largest_step = 0;       ///< s; 0: none but the scheme's own limit
   double step_safety = 0.8;      ///< fraction of the stability limit used by conditionally stable schemes
   double local_damping = 0;      ///< of the skeleton's out-of-balance force (Cundall), dynamic stages

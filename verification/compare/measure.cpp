@@ -40,6 +40,7 @@ class Measuring {
 
   std::vector<Measurement> all() {
     fields();
+    nodes();
     infiltration();
     events();
     gauges();
@@ -61,6 +62,7 @@ class Measuring {
   }
 
   void fields();
+  void nodes();
   void front(std::size_t time, const std::array<const Profile*, 3>& profile);
   void infiltration();
   void events();
@@ -82,6 +84,8 @@ void Measuring::fields() {
   const auto reference = profiles_at_cells(reference_, candidate_.mesh);
   const auto finer = profiles_at_cells(finer_, candidate_.mesh);
   const std::size_t times = std::min({candidate.size(), reference.size(), finer.size()});
+  const auto [low, high] = std::ranges::minmax(initial_pressure(scene_, candidate_.mesh));
+  const double range = high - low;
   for (std::size_t t = 0; t < times; ++t) {
     const int index = static_cast<int>(t);
     const std::string at = " at " + describe(scene_.comparison.times[t], timeline_.comparison_times[t]);
@@ -94,8 +98,25 @@ void Measuring::fields() {
     };
     field("pressure", "pore pressure", &Profile::pressure);
     field("saturation", "saturation", &Profile::saturation);
+    if (range > 0)
+      add({"pressure_l2_range", "rms difference of pore pressure over the initial range" + at, index, "",
+           root_mean_square(candidate[t].pressure, reference[t].pressure, weight) / range,
+           root_mean_square(finer[t].pressure, reference[t].pressure, weight) / range, ""});
     front(t, {&candidate[t], &reference[t], &finer[t]});
   }
+}
+
+/// The nodes themselves, for schemes whose unknowns live there. Nodes are weighted alike.
+void Measuring::nodes() {
+  const auto reference = pressure_at_nodes(reference_, candidate_.mesh);
+  const auto finer = pressure_at_nodes(finer_, candidate_.mesh);
+  const std::vector<double> alike(candidate_.mesh.node_count(), 1);
+  for (std::size_t t = 0; t < std::min({candidate_.snapshots.size(), reference.size(), finer.size()}); ++t)
+    add({"pressure_l2_nodes",
+         "relative L2 of pore pressure at the nodes at " +
+             describe(scene_.comparison.times[t], timeline_.comparison_times[t]),
+         static_cast<int>(t), "", relative_l2(candidate_.snapshots[t].node_pressure, reference[t], alike),
+         relative_l2(finer[t], reference[t], alike), ""});
 }
 
 void Measuring::front(std::size_t time, const std::array<const Profile*, 3>& profile) {

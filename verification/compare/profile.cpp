@@ -7,6 +7,32 @@
 #include <limits>
 
 namespace wetfront::verification {
+namespace {
+
+/// Reads nodal fields of one mesh at places given in the dimension of another.
+class Sampler {
+ public:
+  Sampler(const meshes::Mesh& mesh, const std::vector<meshes::Point>& places, int dim) {
+    const meshes::Evaluator evaluate(mesh);
+    for (const meshes::Point& place : places)
+      at_.push_back(evaluate.weights(mesh.dim == 1 ? meshes::Point{place[meshes::up_axis(dim)]} : place));
+  }
+
+  std::vector<double> operator()(const std::vector<double>& nodal) const {
+    std::vector<double> values;
+    for (const auto& weights : at_) {
+      double value = 0;
+      for (std::size_t i = 0; i < weights.node.size(); ++i) value += weights.weight[i] * nodal[weights.node[i]];
+      values.push_back(value);
+    }
+    return values;
+  }
+
+ private:
+  std::vector<meshes::Evaluator::Weights> at_;
+};
+
+}  // namespace
 
 std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate) {
   std::vector<Profile> profiles;
@@ -16,26 +42,20 @@ std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate) {
 }
 
 std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::Mesh& cells_of) {
-  const meshes::Evaluator evaluate(history.mesh);
-  std::vector<meshes::Evaluator::Weights> at;
-  for (std::size_t c = 0; c < cells_of.cell_count(); ++c) {
-    const meshes::Point centre = cells_of.cell_centre(c);
-    at.push_back(
-        evaluate.weights(history.mesh.dim == 1 ? meshes::Point{centre[meshes::up_axis(cells_of.dim)]} : centre));
-  }
-  const auto sample = [&](const std::vector<double>& nodal) {
-    std::vector<double> values;
-    for (const auto& weights : at) {
-      double value = 0;
-      for (std::size_t i = 0; i < weights.node.size(); ++i) value += weights.weight[i] * nodal[weights.node[i]];
-      values.push_back(value);
-    }
-    return values;
-  };
+  std::vector<meshes::Point> centres;
+  for (std::size_t c = 0; c < cells_of.cell_count(); ++c) centres.push_back(cells_of.cell_centre(c));
+  const Sampler sample(history.mesh, centres, cells_of.dim);
   std::vector<Profile> profiles;
   for (const meshes::Snapshot& snapshot : history.snapshots)
     profiles.push_back({snapshot.time, sample(snapshot.node_pressure), sample(snapshot.node_saturation)});
   return profiles;
+}
+
+std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of) {
+  const Sampler sample(history.mesh, nodes_of.nodes, nodes_of.dim);
+  std::vector<std::vector<double>> pressures;
+  for (const meshes::Snapshot& snapshot : history.snapshots) pressures.push_back(sample(snapshot.node_pressure));
+  return pressures;
 }
 
 std::vector<double> cell_measures(const meshes::Mesh& mesh) {
@@ -51,6 +71,15 @@ double relative_l2(const std::vector<double>& a, const std::vector<double>& b, c
     size += weight[i] * b[i] * b[i];
   }
   return std::sqrt(difference / size);
+}
+
+double root_mean_square(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight) {
+  double squares = 0, total = 0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    squares += weight[i] * (a[i] - b[i]) * (a[i] - b[i]);
+    total += weight[i];
+  }
+  return std::sqrt(squares / total);
 }
 
 double relative_linf(const std::vector<double>& a, const std::vector<double>& b) {

@@ -20,11 +20,17 @@ std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate);
 /// Another solution at the centres of `cells_of`'s cells. A one-dimensional solution is read at the centre's elevation.
 std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::Mesh& cells_of);
 
+/// Pressure of another solution at the nodes of `nodes_of`, one field per snapshot.
+std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of);
+
 /// Cell volumes, the weights of the norms.
 std::vector<double> cell_measures(const meshes::Mesh& mesh);
 
 /// ||a - b||_2 / ||b||_2 with weights (benchmarks: the norm used for every column).
 double relative_l2(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight);
+
+/// Root mean square of a - b with weights, in the unit of a.
+double root_mean_square(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight);
 
 /// max |a - b| / max |b|.
 double relative_linf(const std::vector<double>& a, const std::vector<double>& b);

@@ -6,7 +6,11 @@ const std::vector<Quantity>& quantities() {
   using Per = Quantity::Per;
   static const std::vector<Quantity> all = {
       {"pressure_l2", "1", Per::time, false, "pore pressure at cell centres, relative L2 against the reference"},
-      {"pressure_linf", "1", Per::time, false, "the same, largest difference over largest reference value"},
+      {"pressure_l2_nodes", "1", Per::time, false, "the same at the nodes, where `seepage` has its unknowns"},
+      {"pressure_l2_range", "1", Per::time, false,
+       "root mean square of the difference over the range of the initial pressure"},
+      {"pressure_linf", "1", Per::time, false,
+       "pore pressure at cell centres, largest difference over largest reference value"},
       {"saturation_l2", "1", Per::time, false, "degree of saturation at cell centres, relative L2"},
       {"saturation_linf", "1", Per::time, false, "the same, largest difference over largest reference value"},
       {"front_position", "m", Per::time, false, "elevation of the wetting front"},

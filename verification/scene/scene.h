@@ -123,7 +123,7 @@ struct Stage {
   std::optional<Scheme> scheme;  ///< absent in a dry scene
   SceneTime until;
   bool backward_euler = false;  ///< seepage: backward Euler in place of BDF2
-  double time_tolerance = 1e-4;
+  double time_tolerance = 1e-5;
   double largest_step = 0;  ///< s; 0: none
   double step_safety = 0.8;
   double local_damping = 0;
