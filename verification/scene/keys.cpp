@@ -98,7 +98,7 @@ std::vector<Key> run_keys() {
      "seepage", {}, {"seepage", "implicit-drag"}},
     {"stage", "until", Takes::time, "s", required, "", "end of the stage since the start of the run", "110 % of filling"},
     {"stage", "time_integrator", Takes::choice, "", optional, "bdf2", "of seepage", "bdf2", {}, {"bdf2", "backward-euler"}, "scheme", {"seepage"}},
-    {"stage", "time_tolerance", Takes::quantity, "1", optional, "1e-4", "of the error control of seepage", "1e-5", {"1e-12", "0.1"}, {}, "scheme", {"seepage"}},
+    {"stage", "time_tolerance", Takes::quantity, "1", optional, "1e-5", "of the error control of seepage", "1e-5", {"1e-12", "0.1"}, {}, "scheme", {"seepage"}},
     {"stage", "largest_step", Takes::quantity, "s", optional, "", "no step longer than this; no limit when absent", "10 s", {"0 s", "1000 d", true}},
     {"stage", "step_safety", Takes::quantity, "1", optional, "0.8", "fraction of the stability limit that conditionally stable schemes use", "0.8", {"0", "1", true}},
     {"stage", "local_damping", Takes::quantity, "1", optional, "0", "of the skeleton's out-of-balance force (Cundall)", "0.05", {"0", "1", false, true}},
