@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <map>
 #include <set>
 
 namespace wetfront::verification {
@@ -22,19 +21,19 @@ struct Judged {
   Solved reference, finer;
 };
 
-const Judged& seed(const std::string& name) {
-  static std::map<std::string, Judged> solved;
-  const auto known = solved.find(name);
-  if (known != solved.end()) return known->second;
+Judged seed(const std::string& name) {
   Prepared prepared = prepare(
       read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) / "verification/cases/seed_column" / (name + ".toml")));
+  if (prepared.problem.stages.size() > 1) {  // half a window shows every fault, and some make it slow
+    prepared.problem.output_times.resize(2);
+    prepared.problem.stages.back().end_time = prepared.problem.output_times.back();
+  }
   Solved reference = solve_reference(prepared, false), finer = solve_reference(prepared, true);
-  return solved.emplace(name, Judged{std::move(prepared), std::move(reference), std::move(finer)}).first->second;
+  return {std::move(prepared), std::move(reference), std::move(finer)};
 }
 
 /// Names of the quantities that FAIL once the fault is in.
-std::set<std::string> failing(const std::string& scene, const Fault& fault) {
-  const Judged& judged = seed(scene);
+std::set<std::string> failing(const Judged& judged, const Fault& fault) {
   mpm::Problem<2> problem = judged.prepared.problem;
   fault(problem);
   const Histories histories{solve_candidate(problem).history, judged.reference.history, judged.finer.history};
@@ -71,7 +70,7 @@ void dropped_gravity(mpm::Problem<2>& problem) {
 class Faults : public testing::TestWithParam<std::string> {};
 
 TEST_P(Faults, EachIsCaughtAndNoneIsSeenWithoutOne) {
-  const std::string& scene = GetParam();
+  const Judged scene = seed(GetParam());
   EXPECT_TRUE(failing(scene, [](auto&) {}).empty());
   EXPECT_TRUE(failing(scene, rain_times_093).contains("rain_asked"));
   EXPECT_TRUE(failing(scene, misprinted_exponent).contains("pressure_l2"));
