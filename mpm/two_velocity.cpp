@@ -35,8 +35,8 @@ template <int dim>
 void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
   const auto& grid = plan.fields.grid;
   auto& points = plan.fields.points;
-  auto& columns = points.columns;
-  const Column& volume = columns.at("volume");
+  Column &shape = points.columns.at("shape value"), &slope = points.columns.at("shape gradient");
+  const Column &volume = points.columns.at("volume"), &mass = moving_ != nullptr ? points.columns.at("mass") : volume;
   TwoVelocityWater<dim>& w = *water_;
   w.volume->fill(0);
   w.offset->fill(0);
@@ -44,14 +44,13 @@ void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
     const Soil& soil = plan.problem.soils[static_cast<std::size_t>(grid.region(block.cell))];
     double grains = 0;
     if (moving_ != nullptr) {
-      fill_stencils<dim>(grid, points, block, columns.at("shape value"), columns.at("shape gradient"));
-      const Column& mass = columns.at("mass");
+      fill_stencils<dim>(grid, points, block, shape, slope);
       for (std::size_t q = block.first; q < block.first + block.count; ++q) grains += mass[0][q] / soil.grain_density;
     } else {
       for (std::size_t q = block.first; q < block.first + block.count; ++q)
         grains += (1 - soil.porosity) * volume[0][q];
     }
-    w.cells.sum(grid, points, block, grains);
+    w.cells.sum(grid, {volume, shape, slope}, block, grains);
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       const double share = w.cells.share[block.cell][i];
       (*w.volume)[0][block.nodes[i]] += share;

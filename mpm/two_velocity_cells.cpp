@@ -30,21 +30,18 @@ TwoVelocityCells<dim>::TwoVelocityCells(const Grid<dim>& grid)
 }
 
 template <int dim>
-void TwoVelocityCells<dim>::sum(const Grid<dim>& grid, const MaterialPoints<dim>& points, const Block& block,
-                                double grains) {
+void TwoVelocityCells<dim>::sum(const Grid<dim>& grid, const PointColumns& points, const Block& block, double grains) {
   const std::size_t c = block.cell;
-  const Column &point_volume = *points.columns.find("volume"), &shape = *points.columns.find("shape value"),
-               &slope = *points.columns.find("shape gradient");
   volume[c] = 0;
   share[c] = {};
   gradient[c] = {};
   centre[c] = {};
   for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-    const double v = point_volume[0][q];
+    const double v = points.volume[0][q];
     volume[c] += v;
     for (int i = 0; i < cell_nodes<dim>; ++i) {
-      share[c][i] += v * shape[i][q];
-      for (int a = 0; a < dim; ++a) gradient[c][i][a] += v * slope[i * dim + a][q];
+      share[c][i] += v * points.shape[i][q];
+      for (int a = 0; a < dim; ++a) gradient[c][i][a] += v * points.slope[i * dim + a][q];
     }
   }
   pores[c] = volume[c] - grains;

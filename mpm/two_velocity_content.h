@@ -18,6 +18,21 @@ inline double suction_at(const ExponentialCurve& curve, double effective) {
   return -curve.pressure_scale() * std::log(effective);
 }
 
+struct Effective {
+  double value, slope;  ///< Se [-], dSe/ds [1/Pa]
+};
+
+/// Se and its slope together: half the powers of asking for one after the other, in the innermost loop of the scheme.
+inline Effective effective_at(const VanGenuchten& curve, double s) {
+  if (s <= 0) return {1, 0};
+  const double x = curve.x(s), value = std::pow(1 + x, -curve.lambda());
+  return {value, -curve.lambda() * curve.power() * x / s * value / (1 + x)};
+}
+inline Effective effective_at(const ExponentialCurve& curve, double s) {
+  const double value = curve.effective(s);
+  return {value, s > 0 ? -value / curve.pressure_scale() : 0.0};
+}
+
 /// Water mass per pore volume over the reference density: e(p) = S(p) (1 + p/K_l), on both sides of p = 0.
 ///
 /// The liquid stays compressible in the unsaturated range too: with S(p) alone de/dp would vanish at p -> 0- and no
@@ -31,9 +46,7 @@ class WaterContent {
         s_min_(curve_.saturation(std::numeric_limits<double>::infinity())) {}
 
   double value(double p) const { return curve_.saturation(-p) * (1 + p / bulk_modulus_); }
-  double slope(double p) const {
-    return curve_.saturation(-p) / bulk_modulus_ - curve_.slope(-p) * (1 + p / bulk_modulus_);
-  }
+  double slope(double p) const { return value_and_slope(p).slope; }
   double saturated() const { return curve_.s_max(); }
 
   /// p with e(p) = content; NaN where no pressure gives it (content not positive or not finite).
@@ -49,9 +62,10 @@ class WaterContent {
     double p = std::max(low, -suction_at(curve_, std::max(driest, (content - s_min_) / (s_max - s_min_))));
     // Quadratic convergence: after a step of 1e-10 |p| what is left is far below round-off.
     for (int iteration = 0; iteration < 200; ++iteration) {
-      const double excess = value(p) - content;
+      const Effective here = value_and_slope(p);
+      const double excess = here.value - content;
       (excess > 0 ? high : low) = p;
-      const double next = p - excess / slope(p);
+      const double next = p - excess / here.slope;
       const double step = (next >= low && next <= high ? next : 0.5 * (low + high)) - p;
       p += step;
       if (std::abs(step) <= 1e-10 * std::abs(p)) break;
@@ -60,6 +74,13 @@ class WaterContent {
   }
 
  private:
+  /// e(p) and de/dp.
+  Effective value_and_slope(double p) const {
+    const Effective se = effective_at(curve_, -p);
+    const double range = curve_.s_max() - s_min_, saturation = s_min_ + range * se.value, c = 1 + p / bulk_modulus_;
+    return {saturation * c, saturation / bulk_modulus_ - range * se.slope * c};
+  }
+
   Curve curve_;
   double bulk_modulus_, s_min_;
 };

@@ -15,8 +15,11 @@ template <int dim>
 struct TwoVelocityCells {
   explicit TwoVelocityCells(const Grid<dim>& grid);
 
+  struct PointColumns {
+    const Column &volume, &shape, &slope;
+  };
   /// Sums over the points of a block with the stencils they have; `grains` is the volume of solid in it [m^dim].
-  void sum(const Grid<dim>& grid, const MaterialPoints<dim>& points, const Block& block, double grains);
+  void sum(const Grid<dim>& grid, const PointColumns& points, const Block& block, double grains);
   /// Outflow of a cell when u is the nodal flux: sum_i u_i . faces_ci [m^dim/s].
   double flow_out(const Block& block, const Column& u) const {
     double sum = 0;

@@ -82,6 +82,36 @@ inline Problem<2> slope(double intensity, double end_time, bool kinked) {
   return problem;
 }
 
+/// The same column in three dimensions: a stack of cubes.
+inline Problem<3> stack(const Problem<2>& column, int cells, double height) {
+  Problem<3> problem;
+  const double h = height / cells;
+  meshes::Mesh& mesh = problem.mesh;
+  mesh.dim = 3;
+  meshes::Side base{"base", {0, 1, 2, 3}}, top{"top", {}};
+  for (int k = 0; k <= cells; ++k)
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, std::pair{h, 0.0}, std::pair{h, h}, std::pair{0.0, h}})
+      mesh.nodes.push_back({x, y, k * h});
+  for (int k = 0; k < cells; ++k) {
+    for (int node = 4 * k; node < 4 * k + 8; ++node) mesh.cells.push_back(node);
+    mesh.region.push_back(0);
+  }
+  for (int node = 4 * cells; node < 4 * cells + 4; ++node) top.faces.push_back(node);
+  mesh.region_names = {"soil"};
+  mesh.sides = {base, top};
+  problem.gravity = {0, 0, -9.81};
+  problem.water = column.water;
+  problem.soils = column.soils;
+  problem.water_boundary = column.water_boundary;
+  for (int k = 0; k <= cells; ++k)
+    for (int corner = 0; corner < 4; ++corner)
+      problem.initial_pressure.push_back(column.initial_pressure[static_cast<std::size_t>(2 * k)]);
+  problem.points_per_cell = 8;
+  problem.stages = column.stages;
+  problem.output_times = column.output_times;
+  return problem;
+}
+
 /// Relative L2 distance of cell pressures from the averages of a finer column's cells.
 inline double distance(const meshes::Snapshot& coarse, const meshes::Snapshot& fine) {
   const std::size_t parts = fine.cell_pressure.size() / coarse.cell_pressure.size();
