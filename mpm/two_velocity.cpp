@@ -89,6 +89,7 @@ void TwoVelocityLiquid<dim>::join(StagePlan<dim>& plan) {
   provide_columns(plan);
   if (fresh) plan.at_entry([this, &plan] { take_over(plan); });
   plan.at_ready([this, &plan] { sum_cells(plan); });
+  add_gather(plan);
   add_momentum(plan);
   add_mass_balance(plan);
   add_state(plan);

@@ -24,6 +24,7 @@ class TwoVelocityLiquid : public Effect<dim> {
 
  private:
   void provide_columns(StagePlan<dim>& plan);
+  void add_gather(StagePlan<dim>& plan);
   void add_momentum(StagePlan<dim>& plan);
   void add_pull_on_skeleton(StagePlan<dim>& plan);
   void add_mass_balance(StagePlan<dim>& plan);

@@ -20,9 +20,9 @@ void put(Column& column, std::size_t i, const Vector<dim>& v) {
 
 }  // namespace
 
-/// Steps I to III: points to nodes, forces and drag, points from accelerations, velocities mapped back (MUSL).
+/// Step I: water and velocity of the points to the nodes.
 template <int dim>
-void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
+void TwoVelocityLiquid<dim>::add_gather(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
   auto& points = plan.fields.points;
   const Column& shape = plan.require_on_points("shape value");
@@ -68,6 +68,15 @@ void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
     plan.add(Phase::gather, "skeleton velocity", [skeleton = moving_] { skeleton->read_momentum(); });
   plan.add(Phase::gather, "liquid velocity of points to nodes", from_points_);
   plan.at_ready(content);
+}
+
+/// Steps II and III: forces and drag at the nodes, points from accelerations, velocities mapped back (MUSL).
+template <int dim>
+void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  auto& points = plan.fields.points;
+  const Column& shape = plan.require_on_points("shape value");
+  const std::size_t nodes = plan.fields.grid.node_count();
   if (moving_ != nullptr) add_pull_on_skeleton(plan);
   const Vector<dim> weight = liquid_weight(plan);
   forces_ = [&w, &points, weight, nodes] {
@@ -127,6 +136,8 @@ void TwoVelocityLiquid<dim>::add_pull_on_skeleton(StagePlan<dim>& plan) {
   });
 }
 
+template void TwoVelocityLiquid<2>::add_gather(StagePlan<2>&);
+template void TwoVelocityLiquid<3>::add_gather(StagePlan<3>&);
 template void TwoVelocityLiquid<2>::add_momentum(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_momentum(StagePlan<3>&);
 template void TwoVelocityLiquid<2>::add_pull_on_skeleton(StagePlan<2>&);
