@@ -4,17 +4,22 @@ BUILD := build/release
 JOBS := $(shell nproc)
 SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml))
 
-.PHONY: report test build deps format clean
+.PHONY: report test build program deps format clean
 
-report: build  ## the main job: every scene of the seed paper's column -> out/index.html
+report: program  ## the main job: every scene of the seed paper's column -> out/index.html
 	$(BUILD)/wetfront run $(SCENES)
 
 test: build  ## the everyday tests
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE heavy
 
-build: deps  ## release build -> build/release/wetfront
-	@test -f $(BUILD)/build.ninja || cmake --preset release
+build: $(BUILD)/build.ninja  ## the program and its tests
 	cmake --build $(BUILD)
+
+program: $(BUILD)/build.ninja  ## the program alone -> build/release/wetfront
+	cmake --build $(BUILD) --target wetfront
+
+$(BUILD)/build.ninja: | deps
+	cmake --preset release
 
 deps:  ## install the missing Debian packages (.ci/packages.txt)
 	@.ci/install-packages

@@ -21,6 +21,8 @@ class Evaluator {
   };
   Weights weights(const Point& point) const;
 
+  int dim() const { return mesh_->dim; }
+
   /// Value of a nodal field at a point.
   double operator()(const std::vector<double>& nodal, const Point& point) const;
 

@@ -25,8 +25,10 @@ struct Snapshot {
   std::string stage;
   std::vector<double> node_pressure;     ///< Pa, one per mesh node
   std::vector<double> node_saturation;   ///< -, one per mesh node
-  std::vector<double> cell_pressure;     ///< Pa, at cell centres (or cell averages, where a scheme carries those)
+  std::vector<double> cell_pressure;     ///< Pa
   std::vector<double> cell_saturation;   ///< -
+  /// What the cell values are: averages over the cell, where a scheme carries those, or values at its centre.
+  bool cells_hold_averages = false;
   PointCloud points;                     ///< empty where the solver has none
   std::vector<Point> node_displacement;  ///< m; empty where the skeleton is rigid
 };
@@ -71,7 +73,9 @@ struct FieldHistory {
   std::string solver;  ///< e.g. "fem: IDA BDF, Q1 lumped" or "mpm: seepage"
   Mesh mesh;
   std::vector<Snapshot> snapshots;  ///< one per requested output time, in order
-  std::vector<LedgerRow> ledger;    ///< one per accepted step, the initial state first
+  /// The initial state first, then one row per accepted step; conditionally stable stages, whose steps are tiny, write
+  /// rows at events and at even intervals between them.
+  std::vector<LedgerRow> ledger;
   std::vector<Gauge> gauges;
   std::vector<NodeRain> rain_by_node;
   std::vector<KernelCost> cost;

@@ -164,6 +164,7 @@ void TwoVelocityLiquid<dim>::add_output(StagePlan<dim>& plan) {
     const Column& p_node = *water_->pressure;
     out.node_pressure.assign(p_node[0], p_node[0] + grid.node_count());
     out.node_saturation.assign(grid.node_count(), nothing);
+    out.cells_hold_averages = true;
     out.cell_pressure.assign(grid.cell_count(), nothing);
     out.cell_saturation.assign(grid.cell_count(), nothing);
     out.points.pressure.assign(points.size(), nothing);

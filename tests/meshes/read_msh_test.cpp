@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -18,7 +20,8 @@ const std::string square_2_2 =
     "$Elements\n2\n1 1 2 7 1 3 4\n2 3 2 9 1 1 2 3 4\n$EndElements\n";
 
 std::filesystem::path write(const std::string& text) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "wetfront_read_msh_test.msh";
+  // Tests run side by side, each in a process of its own.
+  const auto path = std::filesystem::path(testing::TempDir()) / ("wetfront_" + std::to_string(getpid()) + ".msh");
   std::ofstream(path) << text;
   return path;
 }

@@ -2,6 +2,7 @@
 #include "verification/scene/read.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -29,7 +30,8 @@ TEST(Cases, AllRead) {
 
 TEST(Template, ReadsWhateverItsName) {
   for (const std::string name : {"my slope", "a \"quoted\" \\ name", "", "line\nbreak"}) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "wetfront_template.toml";
+    const auto path =
+        std::filesystem::path(testing::TempDir()) / ("wetfront_template_" + std::to_string(getpid()) + ".toml");
     std::ofstream(path) << scene_template(name);
     try {
       const Scene scene = read_scene(path);

@@ -2,6 +2,7 @@
 #include "verification/scene/read.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -50,7 +51,7 @@ class Damage {
 };
 
 TEST(Fuzz, DamagedScenesAreReadOrRefused) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "wetfront_fuzz.toml";
+  const auto path = std::filesystem::path(testing::TempDir()) / ("wetfront_fuzz_" + std::to_string(getpid()) + ".toml");
   const std::string sound = scene_template("fuzz");
   Damage damage(20211);
   int refused = 0;

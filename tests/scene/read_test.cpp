@@ -2,6 +2,7 @@
 #include "verification/scene/read.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -43,7 +44,8 @@ class Rewritten {
   }
 
  private:
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "wetfront_read_test";
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("wetfront_read_" + std::to_string(getpid()));
   std::string text_;
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -27,8 +28,7 @@ struct Output {
 class CommandLine : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) /
-             ("wetfront_cli_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder = fs::path(testing::TempDir()) / ("wetfront_cli_" + std::to_string(getpid()));
     fs::remove_all(folder);
     fs::create_directories(folder);
   }

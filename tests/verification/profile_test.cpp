@@ -37,10 +37,28 @@ TEST(Profile, AOneDimensionalSolutionIsReadAtTheCellsElevation) {
     snapshot.node_saturation.push_back(node[0]);
   }
   line.snapshots = {snapshot};
-  const auto strip = meshes::generate(meshes::strip_column_script(1.0, 0.2, 5), 2);
+  meshes::FieldHistory strip;
+  strip.mesh = meshes::generate(meshes::strip_column_script(1.0, 0.2, 5), 2);
+  strip.snapshots.resize(1);
   const auto profiles = profiles_at_cells(line, strip);
-  for (std::size_t c = 0; c < strip.cell_count(); ++c)
-    EXPECT_NEAR(profiles[0].pressure[c], 100 * strip.cell_centre(c)[1], 1e-9);
+  for (std::size_t c = 0; c < strip.mesh.cell_count(); ++c)
+    EXPECT_NEAR(profiles[0].pressure[c], 100 * strip.mesh.cell_centre(c)[1], 1e-9);
+}
+
+TEST(Profile, CellAveragesAreComparedWithAverages) {
+  meshes::FieldHistory line, strip;
+  line.mesh = meshes::generate(meshes::line_column_script(1.0, 80), 1);
+  strip.mesh = meshes::generate(meshes::strip_column_script(1.0, 0.2, 5), 2);
+  strip.snapshots.resize(2);
+  strip.snapshots[1].cells_hold_averages = true;
+  meshes::Snapshot parabola;
+  for (const auto& node : line.mesh.nodes) parabola.node_pressure.push_back(node[0] * node[0]);
+  parabola.node_saturation = parabola.node_pressure;
+  line.snapshots = {parabola, parabola};
+  const auto profiles = profiles_at_cells(line, strip);
+  const double h = 0.2, y = strip.mesh.cell_centre(2)[1];
+  EXPECT_NEAR(profiles[0].pressure[2], y * y, 1e-5);
+  EXPECT_NEAR(profiles[1].pressure[2], y * y + h * h / 12, h * h / 12 / 30);  // the midpoints leave 1/64
 }
 
 }  // namespace

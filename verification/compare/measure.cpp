@@ -81,8 +81,8 @@ class Measuring {
 void Measuring::fields() {
   const auto weight = cell_measures(candidate_.mesh);
   const auto candidate = cell_profiles(candidate_);
-  const auto reference = profiles_at_cells(reference_, candidate_.mesh);
-  const auto finer = profiles_at_cells(finer_, candidate_.mesh);
+  const auto reference = profiles_at_cells(reference_, candidate_);
+  const auto finer = profiles_at_cells(finer_, candidate_);
   const std::size_t times = std::min({candidate.size(), reference.size(), finer.size()});
   const auto [low, high] = std::ranges::minmax(initial_pressure(scene_, candidate_.mesh));
   const double range = high - low;
@@ -157,7 +157,7 @@ void Measuring::events() {
                                          ponding_time(finer_.ledger)};
   add_event("ponding_time", "time of ponding [s]", "", ponding);
   // Where the soil takes all rain until it is full, it is full when it ponds: deficit / rain, with no solver involved.
-  if (!timeline_.filling_time) return;
+  if (!timeline_.filling_time || timeline_.end() < *timeline_.filling_time) return;
   const double expected = *timeline_.filling_time;
   const double before = ledger_at(reference_.ledger, &meshes::LedgerRow::run_off, 0.99 * expected);
   if (before > 1e-6 * ledger_at(reference_.ledger, &meshes::LedgerRow::rain_asked, expected)) return;

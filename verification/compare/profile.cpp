@@ -3,8 +3,10 @@
 #include "meshes/evaluate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace wetfront::verification {
 namespace {
@@ -12,10 +14,9 @@ namespace {
 /// Reads nodal fields of one mesh at places given in the dimension of another.
 class Sampler {
  public:
-  Sampler(const meshes::Mesh& mesh, const std::vector<meshes::Point>& places, int dim) {
-    const meshes::Evaluator evaluate(mesh);
+  Sampler(const meshes::Evaluator& evaluate, const std::vector<meshes::Point>& places, int dim) {
     for (const meshes::Point& place : places)
-      at_.push_back(evaluate.weights(mesh.dim == 1 ? meshes::Point{place[meshes::up_axis(dim)]} : place));
+      at_.push_back(evaluate.weights(evaluate.dim() == 1 ? meshes::Point{place[meshes::up_axis(dim)]} : place));
   }
 
   std::vector<double> operator()(const std::vector<double>& nodal) const {
@@ -32,6 +33,52 @@ class Sampler {
   std::vector<meshes::Evaluator::Weights> at_;
 };
 
+/// Midpoints per direction for the average over a cell: 8 leave 1/64 of what a single one misses of a curved profile.
+constexpr int parts_of_average = 8;
+
+/// Midpoints of parts x parts equal pieces of a quadrilateral (of parts pieces of a line).
+std::vector<meshes::Point> places_in_cell(const meshes::Mesh& mesh, std::size_t cell, int parts) {
+  if (parts == 1) return {mesh.cell_centre(cell)};
+  const auto corner = mesh.cell(cell);
+  std::vector<meshes::Point> places;
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; j < (mesh.dim == 1 ? 1 : parts); ++j) {
+      const double r = (i + 0.5) / parts, s = (j + 0.5) / parts;
+      const std::array<double, 4> weight =
+          mesh.dim == 1 ? std::array<double, 4>{1 - r, r, 0, 0}
+                        : std::array<double, 4>{(1 - r) * (1 - s), r * (1 - s), r * s, (1 - r) * s};
+      meshes::Point place{};
+      for (std::size_t c = 0; c < corner.size(); ++c)
+        for (int axis = 0; axis < 3; ++axis) place[axis] += weight[c] * mesh.nodes[corner[c]][axis];
+      places.push_back(place);
+    }
+  return places;
+}
+
+/// Reads nodal fields of one mesh in the cells of another: the mean over `parts` places per direction.
+class CellReader {
+ public:
+  CellReader(const meshes::Mesh& mesh, const meshes::Mesh& cells_of, int parts) {
+    const meshes::Evaluator evaluate(mesh);
+    for (std::size_t c = 0; c < cells_of.cell_count(); ++c)
+      cells_.emplace_back(evaluate, places_in_cell(cells_of, c, parts), cells_of.dim);
+  }
+
+  std::vector<double> operator()(const std::vector<double>& nodal) const {
+    std::vector<double> values;
+    for (const Sampler& cell : cells_) {
+      double sum = 0;
+      const auto samples = cell(nodal);
+      for (const double sample : samples) sum += sample;
+      values.push_back(sum / samples.size());
+    }
+    return values;
+  }
+
+ private:
+  std::vector<Sampler> cells_;
+};
+
 }  // namespace
 
 std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate) {
@@ -41,18 +88,21 @@ std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate) {
   return profiles;
 }
 
-std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::Mesh& cells_of) {
-  std::vector<meshes::Point> centres;
-  for (std::size_t c = 0; c < cells_of.cell_count(); ++c) centres.push_back(cells_of.cell_centre(c));
-  const Sampler sample(history.mesh, centres, cells_of.dim);
+std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::FieldHistory& candidate) {
+  std::optional<CellReader> at_centres, averaged;
   std::vector<Profile> profiles;
-  for (const meshes::Snapshot& snapshot : history.snapshots)
-    profiles.push_back({snapshot.time, sample(snapshot.node_pressure), sample(snapshot.node_saturation)});
+  for (std::size_t t = 0; t < std::min(history.snapshots.size(), candidate.snapshots.size()); ++t) {
+    const meshes::Snapshot& snapshot = history.snapshots[t];
+    const bool average = candidate.snapshots[t].cells_hold_averages;
+    auto& reader = average ? averaged : at_centres;
+    if (!reader) reader.emplace(history.mesh, candidate.mesh, average ? parts_of_average : 1);
+    profiles.push_back({snapshot.time, (*reader)(snapshot.node_pressure), (*reader)(snapshot.node_saturation)});
+  }
   return profiles;
 }
 
 std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of) {
-  const Sampler sample(history.mesh, nodes_of.nodes, nodes_of.dim);
+  const Sampler sample(meshes::Evaluator(history.mesh), nodes_of.nodes, nodes_of.dim);
   std::vector<std::vector<double>> pressures;
   for (const meshes::Snapshot& snapshot : history.snapshots) pressures.push_back(sample(snapshot.node_pressure));
   return pressures;

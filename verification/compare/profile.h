@@ -17,8 +17,9 @@ struct Profile {
 /// Cell values of the candidate, one profile per snapshot.
 std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate);
 
-/// Another solution at the centres of `cells_of`'s cells. A one-dimensional solution is read at the centre's elevation.
-std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::Mesh& cells_of);
+/// Another solution in the candidate's cells: at their centres, or averaged over them at times at which the candidate's
+/// cell values are averages. A one-dimensional solution is read at the places' elevations.
+std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::FieldHistory& candidate);
 
 /// Pressure of another solution at the nodes of `nodes_of`, one field per snapshot.
 std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of);

@@ -106,14 +106,14 @@ Figure profile(const Field& field, const Timeline& timeline, const Histories& hi
 Figure error_profile(const Histories& histories, const Timeline& timeline) {
   Figure figure;
   figure.id = "pressure_difference";
-  figure.title = "Pressure difference, MPM minus reference, at cell centres";
+  figure.title = "Pressure difference in the cells, MPM minus reference";
   figure.section = "Profiles";
   figure.x_label = "pressure difference";
   figure.x_unit = "kPa";
   figure.y_label = "elevation";
   figure.y_unit = "m";
   const auto candidate = cell_profiles(histories.candidate);
-  const auto reference = profiles_at_cells(histories.reference, histories.candidate.mesh);
+  const auto reference = profiles_at_cells(histories.reference, histories.candidate);
   for (std::size_t t = 0; t < std::min(candidate.size(), reference.size()); ++t) {
     Series series;
     series.label = fmt::format("{:.4g} s", timeline.comparison_times[t]);
