@@ -19,13 +19,44 @@ struct VanGenuchten {
   double theta_r, theta_s;
   double alpha;  ///< 1/m
   double n;
+  /// Cut-off at an air-entry suction [m]: saturated for psi >= -air_entry, Se = Se_vG / Se_vG(-air_entry) below,
+  /// Mualem's integral cut at the same place (Vogel, van Genuchten & Cislerova 2001; Ippisch, Vogel & Bastian 2006). 0:
+  /// none.
+  double air_entry = 0;
 };
 /// Gardner 1958: Se = exp(alpha psi).
 struct ExponentialRetention {
   double theta_r, theta_s;
   double alpha;  ///< 1/m
 };
-using Retention = std::variant<VanGenuchten, ExponentialRetention>;
+/// Haverkamp et al. 1977, sand; with theta_r = 0 Vauclin et al. 1979: Se = a / (a + |psi|^beta).
+struct HaverkampRetention {
+  double theta_r, theta_s;
+  double a;  ///< m^beta: a printed for centimetres times 0.01^beta
+  double beta;
+};
+/// Haverkamp et al. 1977, Yolo clay: Se = a / (a + ln(|psi| / entry)^beta) for psi < -entry, else 1.
+struct HaverkampLogRetention {
+  double theta_r, theta_s;
+  double a;  ///< dimensionless
+  double beta;
+  double entry = 0.01;  ///< the unit of length in the logarithm [m]; 1 cm in the paper
+};
+/// Broadbridge & White 1988: psi / lambda = 1 - 1/Se - ln[(c - Se) / ((c - 1) Se)] / c. Dry (theta_r) is psi =
+/// -infinity.
+struct BroadbridgeWhiteRetention {
+  double theta_r, theta_s;
+  double c;       ///< > 1
+  double lambda;  ///< sorptive length [m]
+};
+/// Measured points, interpolated monotonely with a continuous slope (Fritsch & Carlson 1980). Below the driest head the
+/// content stays what it is there.
+struct TabulatedRetention {
+  std::vector<double> head;     ///< m, ascending; the last is 0
+  std::vector<double> content;  ///< theta [-], not falling; the last is theta_s
+};
+using Retention = std::variant<VanGenuchten, ExponentialRetention, HaverkampRetention, HaverkampLogRetention,
+                               BroadbridgeWhiteRetention, TabulatedRetention>;
 
 /// Mualem 1976 on van Genuchten: K/Ks = Se^1/2 [1 - (1 - Se^{1/m})^m]^2.
 struct MualemConductivity {};
@@ -34,14 +65,27 @@ struct ExponentialConductivity {
   double alpha;  ///< 1/m
 };
 struct ConstantConductivity {};
-using Conductivity = std::variant<MualemConductivity, ExponentialConductivity, ConstantConductivity>;
+/// Haverkamp et al. 1977, Vauclin et al. 1979: K/Ks = a / (a + |psi|^gamma).
+struct HaverkampConductivity {
+  double a;  ///< m^gamma: a printed for centimetres times 0.01^gamma
+  double gamma;
+};
+/// Broadbridge & White 1988: K/Ks = (c - 1) Se^2 / (c - Se), with their retention curve.
+struct BroadbridgeWhiteConductivity {};
+/// ln(K/Ks) interpolated as in TabulatedRetention; constant below the driest head.
+struct TabulatedConductivity {
+  std::vector<double> head;      ///< m, ascending; the last is 0
+  std::vector<double> relative;  ///< K/Ks [-], positive, not falling; the last is 1
+};
+using Conductivity = std::variant<MualemConductivity, ExponentialConductivity, ConstantConductivity,
+                                  HaverkampConductivity, BroadbridgeWhiteConductivity, TabulatedConductivity>;
 
 struct Soil {
   std::string name;
   Retention retention;
   Conductivity conductivity;
   double saturated_conductivity;  ///< Ks [m/s]
-  double specific_storage = 0;    ///< sigma = n rho g / K_l [1/m], acts for psi > 0 only; 0: incompressible water
+  double specific_storage = 0;    ///< sigma = n rho g / K_l [1/m], acts where saturated only; 0: incompressible water
   double porosity = 0;            ///< n, so that S = theta / n; 0: theta_s, i.e. S_max = 1
 };
 

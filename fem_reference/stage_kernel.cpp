@@ -17,19 +17,19 @@ bool stalls(const std::vector<double>& residuals) {
   return n > max_iterations || (n > patience && residuals[n - 1] > steady_decrease * residuals[n - 2]);
 }
 
-/// |psi| at which theta has dropped by `drop` from saturation [m]; the largest of all soils, by bisection.
-double head_of_drop(const std::vector<SoilLaw>& laws, double drop) {
-  double largest = 0;
+/// Per soil: the head at which it fills and how far below that theta has dropped by `drop` [m], by bisection.
+std::vector<FlatTop> flat_tops(const std::vector<SoilLaw>& laws, double drop) {
+  std::vector<FlatTop> tops;
   for (const SoilLaw& law : laws) {
-    const double target = law.water_content(0).value - drop;
+    const double full = -law.air_entry(), target = law.water_content(0).value - drop;
     double low = 0, high = 1;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
-      (law.water_content(-middle).value > target ? low : high) = middle;
+      (law.water_content(full - middle).value > target ? low : high) = middle;
     }
-    largest = std::max(largest, high);
+    tops.push_back({full, high});
   }
-  return largest;
+  return tops;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary, double newton_t
     : flow_(flow),
       boundary_(boundary),
       newton_tolerance_(newton_tolerance),
-      saturation_gap_(head_of_drop(flow.laws(), newton_tolerance)),
+      flat_tops_(flat_tops(flow.laws(), newton_tolerance)),
       matrix_(flow.pattern()),
       linear_(make_linear_solver(matrix_)) {
   const std::size_t n = flow.space().dof_count;
@@ -57,9 +57,13 @@ double StageKernel::tolerance(int dof) const {
 }
 
 double StageKernel::open_head(int dof, double head) const {
-  if (std::abs(head) < saturation_gap_) return saturation_gap_;
+  double widest = 0;
+  for (const FlatTop& top : flat_tops_) {
+    if (std::abs(head - top.full) < top.gap) return top.gap;
+    widest = std::max(widest, top.gap);
+  }
   const double capacity = flow_.capacity()[dof];
-  return capacity > 0 ? std::min(saturation_gap_, newton_tolerance_ / capacity) : 0;
+  return capacity > 0 ? std::min(widest, newton_tolerance_ / capacity) : 0;
 }
 
 void StageKernel::evaluate(std::span<const double> head) {

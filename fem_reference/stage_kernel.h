@@ -8,6 +8,13 @@
 
 namespace wetfront::fem_reference {
 
+/// Near saturation W is flat: within `gap` [m] of the head at which a soil is full, W drops by less than the Newton
+/// tolerance.
+struct FlatTop {
+  double full;
+  double gap;
+};
+
 /// The nonlinear problem to which every time integrator reduces (README, Eq 4): find psi and released >= 0 with
 ///   m_i (W(psi_i) - target_i) = tau (R_i(psi) + rain_i - released_i),
 /// where on rain sides psi_i <= 0, released_i >= 0, psi_i released_i = 0, and on head sides psi_i is given.
@@ -64,11 +71,11 @@ class StageKernel {
   FlowOperator& flow_;
   Boundary& boundary_;
   double newton_tolerance_;
-  double saturation_gap_;         ///< |psi| at which the flattest soil's W has dropped by the Newton tolerance [m]
-  std::vector<char> ponded_;      ///< per held dof: the active set
-  std::vector<double> released_;  ///< per held dof
-  std::vector<double> residual_;  ///< per dof
-  std::vector<double> rounding_;  ///< per dof: size of a rounding error in its residual
+  std::vector<FlatTop> flat_tops_;  ///< per soil
+  std::vector<char> ponded_;        ///< per held dof: the active set
+  std::vector<double> released_;    ///< per held dof
+  std::vector<double> residual_;    ///< per dof
+  std::vector<double> rounding_;    ///< per dof: size of a rounding error in its residual
   SparseMatrix matrix_;
   std::unique_ptr<LinearSolver> linear_;
   Failure failure_;

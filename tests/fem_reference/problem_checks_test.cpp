@@ -31,6 +31,13 @@ TEST(ProblemChecks, NameTheEntry) {
   expect_refused([](auto& p) { p.soils[0].porosity = 0.3; }, "porosity");
   expect_refused([](auto& p) { p.soils[0].specific_storage = -1; }, "specific_storage");
   expect_refused([](auto& p) { p.soils[0].retention = ExponentialRetention{0.1, 0.4, 1}; }, "conductivity");
+  expect_refused([](auto& p) { p.soils[0].retention = HaverkampRetention{0.1, 0.4, 0, 4}; }, "retention.a");
+  expect_refused([](auto& p) { p.soils[0].retention = BroadbridgeWhiteRetention{0.1, 0.4, 1, 4}; }, "retention.c");
+  expect_refused([](auto& p) { p.soils[0].retention = TabulatedRetention{{-1, -0.1}, {0.1, 0.4}}; }, "retention");
+  expect_refused([](auto& p) { p.soils[0].retention = TabulatedRetention{{-1, 0}, {0.4, 0.1}}; }, "content[1]");
+  expect_refused([](auto& p) { p.soils[0].conductivity = TabulatedConductivity{{-1, 0}, {0, 1}}; }, "relative[0]");
+  expect_refused([](auto& p) { p.soils[0].conductivity = BroadbridgeWhiteConductivity{}; }, "conductivity");
+  expect_refused([](auto& p) { p.soils[0].conductivity = HaverkampConductivity{1, -1}; }, "conductivity.gamma");
   expect_refused([](auto& p) { std::get<RainSide>(p.boundary[0]).side = "roof"; }, "'roof'");
   expect_refused([](auto& p) { std::get<RainSide>(p.boundary[0]).rain.intensity = {-1}; }, "rain.intensity[0]");
   expect_refused([](auto& p) { std::get<RainSide>(p.boundary[0]).rain.start = {}; }, "rain");
