@@ -31,6 +31,7 @@ class BackwardEuler : public TimeIntegrator {
       std::vector<double> head = state.head;
       for (std::size_t i = 0; i < head.size(); ++i) head[i] += dt * head_rate_[i];
       const std::vector<double> predicted = head;
+      kernel_.set_time(dt == span ? stop : state.time + dt);
       if (!kernel_.solve(state.water, dt, head)) {
         next_step_ = 0.25 * dt;
         continue;

@@ -136,6 +136,7 @@ class Bdf : public TimeIntegrator {
       N_Vector y_pred = nullptr, yp_pred = nullptr, y = nullptr, yp = nullptr, residual = nullptr;
       void* user = nullptr;
       IDAGetNonlinearSystemData(ida_mem, &time, &y_pred, &yp_pred, &y, &yp, &residual, &cj, &user);
+      self.kernel_.set_time(time);
       return self.solve_stage(view(y_pred), view(yp_pred), cj, view(correction));
     } catch (...) {
       self.callback_error_ = std::current_exception();

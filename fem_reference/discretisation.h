@@ -21,6 +21,7 @@ struct SideShare {
   int soil;
   double area;             ///< [1, m, m2]
   double horizontal_area;  ///< projected on the horizontal, positive where the outward normal points up, else negative
+  meshes::Point normal_area;  ///< integral of the outward normal
 };
 
 /// Where a place lies: the cell and the values of its shape functions there.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace wetfront::fem_reference {
 namespace {
@@ -41,6 +42,7 @@ class Discretiser {
     make_triangulation();
     dofs_.distribute_dofs(fe_);
     number_upwards();
+    merge_periodic();
     fill_cells();
     fill_sides();
     for (const Gauge& gauge : problem_.gauges) out_.gauges.push_back(locate(gauge));
@@ -124,6 +126,78 @@ class Discretiser {
       number_[order[i]] = i;
       out_.position[i] = position[order[i]];
     }
+  }
+
+  /// Degrees of freedom on a side, as we number them.
+  std::vector<int> dofs_on(const std::string& name) const {
+    const unsigned int id = 1 + (&problem_.mesh.side(name) - problem_.mesh.sides.data());
+    std::set<int> found;
+    std::vector<dealii::types::global_dof_index> local(out_.dofs_per_cell);
+    for (const auto& cell : dofs_.active_cell_iterators()) {
+      cell->get_dof_indices(local);
+      for (unsigned int f : cell->face_indices()) {
+        if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != id) continue;
+        for (int a = 0; a < out_.dofs_per_cell; ++a) {
+          if (fe_.has_support_on_face(a, f)) found.insert(number_[local[a]]);
+        }
+      }
+    }
+    return {found.begin(), found.end()};
+  }
+
+  // A periodic pair is one set of unknowns: the partner's get the numbers of the side's.
+  void merge_periodic() {
+    std::vector<int> same(out_.dof_count);
+    std::iota(same.begin(), same.end(), 0);
+    for (const BoundaryCondition& condition : problem_.boundary) {
+      if (const auto* pair = std::get_if<PeriodicSides>(&condition)) match(*pair, same);
+    }
+    std::vector<int> compact(out_.dof_count, -1);
+    int count = 0;
+    for (int i = 0; i < out_.dof_count; ++i) {
+      while (same[i] != same[same[i]]) same[i] = same[same[i]];
+    }
+    for (int i = 0; i < out_.dof_count; ++i) {
+      if (same[i] != i) continue;
+      out_.position[count] = out_.position[i];
+      compact[i] = count++;
+    }
+    for (int& number : number_) number = compact[same[number]];
+    out_.dof_count = count;
+    out_.position.resize(count);
+  }
+
+  void match(const PeriodicSides& pair, std::vector<int>& same) const {
+    const std::vector<int> side = dofs_on(pair.side), partner = dofs_on(pair.partner);
+    const auto fail = [&](const char* why) {
+      throw std::invalid_argument("periodic sides '" + pair.side + "' and '" + pair.partner + "': " + why);
+    };
+    if (side.size() != partner.size()) fail("not the same number of nodes");
+    meshes::Point shift{};
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      for (int axis = 0; axis < dim; ++axis) {
+        shift[axis] += (out_.position[partner[i]][axis] - out_.position[side[i]][axis]) / side.size();
+      }
+    }
+    double size = 0;
+    for (int axis = 0; axis < dim; ++axis) size += std::abs(shift[axis]);
+    for (int a : side) {
+      const auto found = std::find_if(partner.begin(), partner.end(), [&](int b) {
+        double distance = 0;
+        for (int axis = 0; axis < dim; ++axis) {
+          distance += std::abs(out_.position[b][axis] - out_.position[a][axis] - shift[axis]);
+        }
+        return distance < 1e-8 * size;  // nodes of a mesh file carry 8 to 16 digits
+      });
+      if (found == partner.end()) fail("the nodes of one are not those of the other moved by one vector");
+      const int low = std::min(root(same, a), root(same, *found)), high = std::max(root(same, a), root(same, *found));
+      same[high] = low;
+    }
+  }
+
+  static int root(const std::vector<int>& same, int i) {
+    while (same[i] != i) i = same[i];
+    return i;
   }
 
   void fill_cells() {
@@ -221,12 +295,13 @@ class Discretiser {
     for (int a = 0; a < out_.dofs_per_cell; ++a) {
       if (!fe_.has_support_on_face(a, face)) continue;
       const int dof = number_[local[a]];
-      SideShare& share = shares.try_emplace({dof, soil}, SideShare{dof, soil, 0, 0}).first->second;
+      SideShare& share = shares.try_emplace({dof, soil}, SideShare{dof, soil, 0, 0, {}}).first->second;
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q) {
         const double area = values.shape_value(a, q) * values.JxW(q);
         double up = 0;
         for (int axis = 0; axis < dim; ++axis) {
           up -= values.normal_vector(q)[axis] * problem_.gravity_direction[axis];
+          share.normal_area[axis] += area * values.normal_vector(q)[axis];
         }
         share.area += area;
         share.horizontal_area += area * up;

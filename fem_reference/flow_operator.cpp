@@ -1,12 +1,18 @@
 #include "fem_reference/flow_operator.h"
 
+#include "fem_reference/tensor.h"
+
 #include <algorithm>
 
 namespace wetfront::fem_reference {
 
 FlowOperator::FlowOperator(const RichardsProblem& problem, const Discretisation& space, const Boundary& boundary)
     : space_(space), boundary_(boundary), gravity_(problem.gravity_direction) {
-  for (const Soil& soil : problem.soils) laws_.emplace_back(soil);
+  for (const Soil& soil : problem.soils) {
+    laws_.emplace_back(soil);
+    anisotropy_.push_back(soil.anisotropy);
+    isotropic_.push_back(soil.anisotropy == isotropic);
+  }
   const std::size_t points = static_cast<std::size_t>(space.cell_count) * space.points_per_cell;
   volume_.assign(space.dof_count, 0);
   for (const StorageShare& share : space.storage) volume_[share.dof] += share.volume;
@@ -45,7 +51,8 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
   std::size_t point = 0;
   for (int cell = 0; cell < space_.cell_count; ++cell) {
     const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
-    const SoilLaw& law = laws_[space_.cell_soil[cell]];
+    const int soil = space_.cell_soil[cell];
+    const SoilLaw& law = laws_[soil];
     const double* shape = space_.shape.data();
     for (int q = 0; q < space_.points_per_cell; ++q, ++point, shape += n, gradient += n * dim) {
       double* drive = &drive_[point * dim];
@@ -56,6 +63,7 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
         psi += shape[a] * value;
         for (int axis = 0; axis < dim; ++axis) drive[axis] += gradient[a * dim + axis] * value;
       }
+      if (!isotropic_[soil]) turn(soil, drive);
       conductivity_[point] = law.conductivity(psi);
       const double wk = space_.weight[point] * conductivity_[point].value;
       for (int a = 0; a < n; ++a) {
@@ -67,15 +75,21 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
   }
 }
 
+void FlowOperator::turn(int soil, double* vector) const {
+  meshes::Point v{};
+  std::copy_n(vector, space_.dim, v.begin());
+  v = times(anisotropy_[soil], v);
+  std::copy_n(v.begin(), space_.dim, vector);
+}
+
 void FlowOperator::evaluate_drainage(std::span<const double> head) {
   std::fill(drained_.begin(), drained_.end(), 0.0);
   std::fill(drainage_slope_.begin(), drainage_slope_.end(), 0.0);
-  for (const auto& [share, condition] : boundary_.drains()) {
-    const ValueAndSlope k = laws_[share.soil].conductivity(head[share.dof]);
-    const double area = -share.horizontal_area;
-    inflow_[share.dof] -= area * k.value;
+  for (const auto& [dof, soil, area, condition] : boundary_.drains()) {
+    const ValueAndSlope k = laws_[soil].conductivity(head[dof]);
+    inflow_[dof] -= area * k.value;
     drained_[condition] += area * k.value;
-    drainage_slope_[share.dof] += area * k.slope;
+    drainage_slope_[dof] += area * k.slope;
   }
 }
 
@@ -85,19 +99,27 @@ void FlowOperator::assemble(double tau, SparseMatrix& matrix) const {
   const int n = space_.dofs_per_cell, dim = space_.dim;
   const double* gradient = space_.gradient.data();
   const int* entry = entry_.data();
+  std::vector<double> turned(static_cast<std::size_t>(n) * dim);
   std::size_t point = 0;
   for (int cell = 0; cell < space_.cell_count; ++cell, entry += n * n) {
+    const int soil = space_.cell_soil[cell];
     const double* shape = space_.shape.data();
     for (int q = 0; q < space_.points_per_cell; ++q, ++point, shape += n, gradient += n * dim) {
       const double* drive = &drive_[point * dim];
       const double wk = tau * space_.weight[point] * conductivity_[point].value;
       const double wk_slope = tau * space_.weight[point] * conductivity_[point].slope;
+      const double* conjugate = gradient;  // T grad N_b
+      if (!isotropic_[soil]) {
+        std::copy_n(gradient, n * dim, turned.begin());
+        for (int a = 0; a < n; ++a) turn(soil, &turned[a * dim]);
+        conjugate = turned.data();
+      }
       for (int a = 0; a < n; ++a) {
         double along = 0;
         for (int axis = 0; axis < dim; ++axis) along += gradient[a * dim + axis] * drive[axis];
         for (int b = 0; b < n; ++b) {
           double diffusion = 0;
-          for (int axis = 0; axis < dim; ++axis) diffusion += gradient[a * dim + axis] * gradient[b * dim + axis];
+          for (int axis = 0; axis < dim; ++axis) diffusion += gradient[a * dim + axis] * conjugate[b * dim + axis];
           matrix.value[entry[a * n + b]] += wk_slope * shape[b] * along + wk * diffusion;
         }
       }

@@ -12,7 +12,7 @@
 namespace wetfront::fem_reference {
 
 /// The discrete Richards operator (README, Eq 3):
-///   m_i dW_i/dt = R_i(psi),  R_i = - sum_q w_q K(psi_h) grad N_i . (grad psi_h - g) - drainage_i,
+///   m_i dW_i/dt = R_i(psi),  R_i = - sum_q w_q K(psi_h) grad N_i . T (grad psi_h - g) - drainage_i,
 /// with g the unit vector of gravity, psi_h at the Gauss points, m and the boundary lumped. All in m^dim/s.
 class FlowOperator {
  public:
@@ -46,13 +46,16 @@ class FlowOperator {
   void evaluate_flow(std::span<const double> head);
   void evaluate_drainage(std::span<const double> head);
   void make_pattern();
+  void turn(int soil, double* vector) const;
 
   const Discretisation& space_;
   const Boundary& boundary_;
   std::vector<SoilLaw> laws_;
   std::array<double, 3> gravity_;
+  std::vector<char> isotropic_;                    ///< per soil
+  std::vector<std::array<double, 6>> anisotropy_;  ///< T per soil
   std::vector<double> volume_, water_, capacity_, inflow_, drained_, drainage_slope_;
-  std::vector<double> drive_;                ///< grad psi - g, [cell][point][axis]
+  std::vector<double> drive_;                ///< T (grad psi - g), [cell][point][axis]
   std::vector<ValueAndSlope> conductivity_;  ///< [cell][point]
   SparseMatrix pattern_;
   std::vector<int> diagonal_;  ///< [dof] -> entry

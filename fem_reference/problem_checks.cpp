@@ -120,36 +120,76 @@ void check_soils(const RichardsProblem& problem) {
     check_conductivity(soil, where);
     require(std::isfinite(soil.specific_storage) && soil.specific_storage >= 0, where,
             ".specific_storage: ", soil.specific_storage, " (must not be negative)");
+    const auto& [xx, yy, zz, xy, yz, zx] = soil.anisotropy;
+    const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * zx) + zx * (xy * yz - yy * zx);
+    require(xx > 0 && xx * yy > xy * xy && determinant > 0 && std::isfinite(determinant), where,
+            ".anisotropy: not positive definite");
   }
 }
 
-void check_rain(const meshes::RainRecord& rain, const std::string& where) {
-  require(rain.start.size() == rain.intensity.size(), where, ".rain: ", rain.start.size(), " times for ",
+void check_rain(const meshes::RainRecord& rain, const std::string& where, bool either_sign = false) {
+  require(rain.start.size() == rain.intensity.size(), where, ": ", rain.start.size(), " times for ",
           rain.intensity.size(), " intensities (one each)");
   for (std::size_t i = 0; i < rain.start.size(); ++i) {
-    require(std::isfinite(rain.start[i]) && (i == 0 || rain.start[i] > rain.start[i - 1]), where, ".rain.start[", i,
+    require(std::isfinite(rain.start[i]) && (i == 0 || rain.start[i] > rain.start[i - 1]), where, ".start[", i,
             "]: ", rain.start[i], " (times must ascend)");
-    require(std::isfinite(rain.intensity[i]) && rain.intensity[i] >= 0, where, ".rain.intensity[", i,
-            "]: ", rain.intensity[i], " (rain is not negative)");
+    require(std::isfinite(rain.intensity[i]) && (either_sign || rain.intensity[i] >= 0), where, ".intensity[", i,
+            "]: ", rain.intensity[i], either_sign ? " (not a number)" : " (must not be negative)");
   }
 }
 
+void check_record(const TimeRecord& record, const std::string& where) {
+  require(record.time.size() == record.value.size(), where, ": ", record.time.size(), " times for ",
+          record.value.size(), " values (one each)");
+  for (std::size_t i = 0; i < record.time.size(); ++i) {
+    require(std::isfinite(record.time[i]) && (i == 0 || record.time[i] >= record.time[i - 1]), where, ".time[", i,
+            "]: ", record.time[i], " (times must not fall)");
+    require(std::isfinite(record.value[i]), where, ".value[", i, "]: not a number");
+  }
+}
+
+void check_condition(const RainSide& rain, const std::string& where) {
+  check_rain(rain.rain, where + ".rain");
+  check_rain(rain.evaporation, where + ".evaporation");
+  require(rain.minimum_head < 0, where, ".minimum_head: ", rain.minimum_head, " (must be negative, in m)");
+}
+void check_condition(const FluxSide& flux, const std::string& where) {
+  check_rain(flux.inflow, where + ".inflow", true);
+  require(flux.minimum_head < 0, where, ".minimum_head: ", flux.minimum_head, " (must be negative, in m)");
+}
+void check_condition(const HeadSide& head, const std::string& where) {
+  require(std::isfinite(head.head), where, ".head: not a number");
+  check_record(head.record, where + ".record");
+  require(!head.initial || (head.record.time.empty() && !head.total), where,
+          ".initial: keeps the initial heads, so there is neither a record nor a total head");
+}
+void check_condition(const WaterLevelSide& level, const std::string& where) {
+  require(!level.level.time.empty(), where, ".level: empty (at least one entry)");
+  check_record(level.level, where + ".level");
+  check_rain(level.rain, where + ".rain");
+}
+void check_condition(const FreeDrainageSide&, const std::string&) {}
+void check_condition(const PeriodicSides&, const std::string&) {}
+
 void check_boundary(const RichardsProblem& problem) {
+  const auto& sides = problem.mesh.sides;
+  std::string known;
+  for (const meshes::Side& s : sides) known += (known.empty() ? "" : ", ") + s.name;
   std::set<std::string> seen;
-  for (std::size_t b = 0; b < problem.boundary.size(); ++b) {
-    const std::string& side =
-        std::visit([](const auto& c) -> const std::string& { return c.side; }, problem.boundary[b]);
-    const std::string where = entry("boundary", b) + " '" + side + "'";
-    const auto& sides = problem.mesh.sides;
-    std::string known;
-    for (const meshes::Side& s : sides) known += (known.empty() ? "" : ", ") + s.name;
+  const auto take_side = [&](const std::string& side, const std::string& where) {
     require(std::any_of(sides.begin(), sides.end(), [&](const meshes::Side& s) { return s.name == side; }), where,
             ": the mesh has no such side (it has: ", known, ")");
     require(seen.insert(side).second, where, ": a second condition on this side (one each)");
-    if (const auto* rain = std::get_if<RainSide>(&problem.boundary[b])) check_rain(rain->rain, where);
-    if (const auto* head = std::get_if<HeadSide>(&problem.boundary[b])) {
-      require(std::isfinite(head->head), where, ".head: not a number");
+  };
+  for (std::size_t b = 0; b < problem.boundary.size(); ++b) {
+    const BoundaryCondition& condition = problem.boundary[b];
+    const std::string& side = std::visit([](const auto& c) -> const std::string& { return c.side; }, condition);
+    const std::string where = entry("boundary", b) + " '" + side + "'";
+    take_side(side, where);
+    if (const auto* pair = std::get_if<PeriodicSides>(&condition)) {
+      take_side(pair->partner, where + ".partner '" + pair->partner + "'");
     }
+    std::visit([&](const auto& c) { check_condition(c, where); }, condition);
   }
 }
 

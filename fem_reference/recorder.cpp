@@ -19,6 +19,12 @@ double Recorder::head_at(const State& state, int cell, const std::vector<double>
   return head;
 }
 
+double Recorder::evaporated(const State& state, std::size_t h) const {
+  if (!boundary_.has_demand()) return 0;
+  const std::size_t unmet = boundary_.held().size() + boundary_.condition_count();
+  return boundary_.demanded(boundary_.held()[h], state.time) - state.totals[unmet + h];
+}
+
 void Recorder::record_step(const State& state) {
   meshes::LedgerRow row;
   row.time = state.time;
@@ -27,9 +33,10 @@ void Recorder::record_step(const State& state) {
   for (std::size_t h = 0; h < held.size(); ++h) {
     row.rain_asked += boundary_.asked(held[h], state.time);
     row.run_off += state.totals[h];
+    row.outflow += evaporated(state, h);
   }
   row.infiltrated = row.rain_asked - row.run_off;
-  for (std::size_t k = held.size(); k < state.totals.size(); ++k) row.outflow += state.totals[k];
+  for (int c = 0; c < boundary_.condition_count(); ++c) row.outflow += state.totals[held.size() + c];
   history_.ledger.push_back(row);
 
   for (std::size_t g = 0; g < history_.gauges.size(); ++g) {
@@ -71,7 +78,7 @@ meshes::FieldHistory Recorder::finish(const State& state, const StageKernel& ker
   const std::vector<HeldDof>& held = boundary_.held();
   const std::vector<int>& node_dof = flow_.space().node_dof;
   for (std::size_t h = 0; h < held.size(); ++h) {
-    if (held[h].kind != HeldDof::Kind::rain) continue;
+    if (held[h].catchment.empty()) continue;
     const auto node = std::find(node_dof.begin(), node_dof.end(), held[h].dof);
     meshes::NodeRain rain;
     rain.node = node == node_dof.end() ? -1 : static_cast<int>(node - node_dof.begin());  // -1: between nodes
@@ -83,6 +90,11 @@ meshes::FieldHistory Recorder::finish(const State& state, const StageKernel& ker
   }
   for (int c = 0; c < boundary_.condition_count(); ++c) {
     history_.counters["outflow through " + boundary_.side_name(c)] = state.totals[held.size() + c];
+  }
+  for (std::size_t h = 0; h < held.size() && boundary_.has_demand(); ++h) {
+    const std::string& side = boundary_.side_name(held[h].condition);
+    history_.counters["evaporated through " + side] += evaporated(state, h);
+    history_.counters["evaporation asked of " + side] += boundary_.demanded(held[h], state.time);
   }
   integrator.report(history_.counters);
   history_.counters["Newton iterations"] = static_cast<double>(kernel.iterations);

@@ -18,6 +18,8 @@ class Recorder {
                               double cpu_seconds);
 
  private:
+  /// Demand of one held dof that was met so far [m^dim].
+  double evaporated(const State& state, std::size_t h) const;
   double head_at(const State& state, int cell, const std::vector<double>& shape) const;
 
   const RichardsProblem& problem_;

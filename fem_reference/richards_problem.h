@@ -4,6 +4,7 @@
 #include "meshes/mesh.h"
 #include "meshes/rain_record.h"
 
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -87,23 +88,62 @@ struct Soil {
   double saturated_conductivity;  ///< Ks [m/s]
   double specific_storage = 0;    ///< sigma = n rho g / K_l [1/m], acts where saturated only; 0: incompressible water
   double porosity = 0;            ///< n, so that S = theta / n; 0: theta_s, i.e. S_max = 1
+  /// Shape of the conductivity tensor: K = Ks Kr(psi) T, T symmetric and positive definite, {xx, yy, zz, xy, yz, zx}.
+  std::array<double, 6> anisotropy{1, 1, 1, 0, 0, 0};
+};
+
+/// T of principal values: the first along x, the second (two dimensions) or third (three) along the elevation axis,
+/// then turned by `angle` [rad] in that vertical plane, anticlockwise with x to the right and the elevation up.
+std::array<double, 6> principal_tensor(int dim, const std::array<double, 3>& values, double angle);
+
+/// Piecewise linear in time, constant before the first and after the last entry; two entries at one time are a jump.
+/// Empty: not given.
+struct TimeRecord {
+  std::vector<double> time;   ///< s, not falling
+  std::vector<double> value;  ///< as the owner says
 };
 
 /// Rain per horizontal area; what the soil does not take runs off (psi <= 0 complementary to run-off >= 0).
-/// A record without rain makes the side a seepage face.
+/// A record without rain makes the side a seepage face. Evaporation, per horizontal area too, is met in full while
+/// psi > minimum_head, in part while psi = minimum_head, and not at all below (complementarity as at the wet end).
 struct RainSide {
   std::string side;
   meshes::RainRecord rain;
+  meshes::RainRecord evaporation{};  ///< demand [m/s, >= 0]; empty: none
+  double minimum_head = -150;        ///< m; of evaporation only
+};
+/// Water offered (> 0) to or demanded (< 0) from a side per area of it, whatever way it faces; limited as rain and
+/// evaporation are.
+struct FluxSide {
+  std::string side;
+  meshes::RainRecord inflow;   ///< m/s, of either sign
+  double minimum_head = -150;  ///< m
 };
 struct HeadSide {
   std::string side;
-  double head;  ///< prescribed psi [m]
+  double head;           ///< prescribed psi, or psi + elevation where `total` [m]
+  TimeRecord record{};   ///< the same in time, instead of `head`
+  bool total = false;    ///< the head includes the elevation: hydrostatic along the side
+  bool initial = false;  ///< psi stays what initial_head says, node by node, instead of `head`
+};
+/// A free water surface in front of the side: hydrostatic below it (psi = level - elevation, water passes both ways),
+/// rain or seepage face above. Rain on what is under water belongs to the water body.
+struct WaterLevelSide {
+  std::string side;
+  TimeRecord level;           ///< elevation of the surface [m]
+  meshes::RainRecord rain{};  ///< per horizontal area
+};
+/// What leaves through `side` comes in through `partner`, which is `side` moved by one vector, node by node.
+struct PeriodicSides {
+  std::string side;
+  std::string partner;
 };
 /// Unit gradient of total head: water leaves at K(psi).
 struct FreeDrainageSide {
   std::string side;
 };
-using BoundaryCondition = std::variant<RainSide, HeadSide, FreeDrainageSide>;  // a side without one is impermeable
+/// A side without one is impermeable. Where sides meet a head wins over a water level, and that over rain.
+using BoundaryCondition = std::variant<RainSide, HeadSide, FreeDrainageSide, FluxSide, WaterLevelSide, PeriodicSides>;
 
 struct Gauge {
   std::string name;

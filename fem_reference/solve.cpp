@@ -67,18 +67,18 @@ class Run {
     state_.totals.assign(kernel_.ledger_size(), 0.0);
     recorder_.record_step(state_);
     take_snapshots();
-    make_boundary_consistent();
     restart();
   }
 
-  // The jump from the initial state to what the boundary demands happens at t = 0 and is in the ledger.
+  // The jump from the initial state to what the boundary demands happens at t = 0, a jump of a given head, or of a node
+  // that a rising water level reaches, at its break; all of it is in the ledger.
   void make_boundary_consistent() {
     const std::vector<double> taken = kernel_.make_consistent(state_.head);
     state_.water = flow_.water_at(state_.head);
-    const std::size_t first = state_.totals.size() - taken.size();
+    const std::size_t first = boundary_.held().size();
     for (std::size_t c = 0; c < taken.size(); ++c) {
       state_.totals[first + c] += taken[c];
-      if (taken[c] == 0) continue;
+      if (taken[c] == 0 || state_.time > 0) continue;
       recorder_.note("the initial state contradicts side '" + boundary_.side_name(static_cast<int>(c)) +
                      "': " + std::to_string(taken[c]) + " m^dim of water left there at t = 0 to make it consistent");
     }
@@ -86,6 +86,7 @@ class Run {
 
   void restart() {
     boundary_.set_time(state_.time);
+    if (state_.time == 0 || boundary_.heads_move()) make_boundary_consistent();
     integrator_->start(state_);
   }
 

@@ -42,14 +42,24 @@ StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary, double newton_t
       matrix_(flow.pattern()),
       linear_(make_linear_solver(matrix_)) {
   const std::size_t n = flow.space().dof_count;
-  ponded_.assign(boundary.held().size(), 0);
+  mode_.assign(boundary.held().size(), Mode::free);
   released_.assign(boundary.held().size(), 0);
   residual_.assign(n, 0);
   rounding_.assign(n, 0);
 }
 
 bool StageKernel::is_held(std::size_t h) const {
-  return boundary_.held()[h].kind == HeldDof::Kind::head || ponded_[h] != 0;
+  return boundary_.held()[h].kind == HeldDof::Kind::head || mode_[h] == Mode::ponded || mode_[h] == Mode::dry_held;
+}
+
+double StageKernel::held_head(std::size_t h) const {
+  const HeldDof& held = boundary_.held()[h];
+  return held.kind == HeldDof::Kind::rain && mode_[h] == Mode::dry_held ? held.lowest : held.head;
+}
+
+double StageKernel::offered(std::size_t h) const {
+  const HeldDof& held = boundary_.held()[h];
+  return mode_[h] == Mode::dry_free ? held.rain : held.rain - held.demand;
 }
 
 double StageKernel::tolerance(int dof) const {
@@ -75,7 +85,33 @@ void StageKernel::residual(std::span<const double> target, double tau) {
   for (std::size_t i = 0; i < residual_.size(); ++i) {
     residual_[i] = flow_.volume()[i] * (flow_.water()[i] - target[i]) - tau * flow_.inflow()[i];
   }
-  for (const HeldDof& held : boundary_.held()) residual_[held.dof] -= tau * held.rain;
+  for (std::size_t h = 0; h < mode_.size(); ++h) residual_[boundary_.held()[h].dof] -= tau * offered(h);
+}
+
+// Released beyond the Newton tolerance only: otherwise rounding makes a neutral node chatter.
+bool StageKernel::update_mode(std::size_t h, double tau, double head) {
+  const HeldDof& held = boundary_.held()[h];
+  double& row = residual_[held.dof];
+  const Mode before = mode_[h];
+  switch (before) {
+    case Mode::ponded:
+      if (row > tolerance(held.dof)) mode_[h] = Mode::free;
+      break;
+    case Mode::dry_held:
+      if (row < -tolerance(held.dof)) mode_[h] = Mode::free;
+      if (row > tau * held.demand + tolerance(held.dof)) {
+        mode_[h] = Mode::dry_free;
+        row -= tau * held.demand;
+      }
+      break;
+    case Mode::dry_free:
+      if (head > held.lowest) mode_[h] = Mode::dry_held;
+      break;
+    case Mode::free:
+      if (head > held.head) mode_[h] = Mode::ponded;
+      if (held.demand > 0 && head < held.lowest) mode_[h] = Mode::dry_held;
+  }
+  return mode_[h] != before;
 }
 
 // Held rows give the released water; their residual is then zero by definition. True when the set changed.
@@ -83,24 +119,22 @@ bool StageKernel::update_active_set(double tau, std::span<const double> head) {
   bool changed = false;
   for (std::size_t h = 0; h < released_.size(); ++h) {
     const HeldDof& held = boundary_.held()[h];
+    const double row = residual_[held.dof];
     released_[h] = 0;
-    if (held.kind == HeldDof::Kind::head) {
-      released_[h] = -residual_[held.dof] / tau;
-      if (head[held.dof] != held.head) changed = true;  // the first guess may not know the given head
-    } else if (ponded_[h] != 0) {
-      // Release only beyond the Newton tolerance: otherwise rounding makes a neutral node chatter.
-      if (-residual_[held.dof] < -tolerance(held.dof)) {
-        ponded_[h] = 0;
-        changed = true;
-        continue;
-      }
-      released_[h] = std::max(0.0, -residual_[held.dof] / tau);
-      if (head[held.dof] != held.head) changed = true;
-    } else if (head[held.dof] > held.head) {
-      ponded_[h] = 1;
+    if (held.kind == HeldDof::Kind::rain && update_mode(h, tau, head[held.dof])) {
       changed = true;
+    } else if (held.kind == HeldDof::Kind::head) {
+      released_[h] = -row / tau;
+    } else if (mode_[h] == Mode::ponded) {
+      released_[h] = std::max(0.0, -row / tau);
+    } else if (mode_[h] == Mode::dry_held) {
+      released_[h] = -std::clamp(row / tau, 0.0, held.demand);
+    } else if (mode_[h] == Mode::dry_free) {
+      released_[h] = -held.demand;
     }
-    if (is_held(h)) residual_[held.dof] = 0;
+    if (!is_held(h)) continue;
+    if (head[held.dof] != held_head(h)) changed = true;  // the first guess may not know the given head
+    residual_[held.dof] = 0;
   }
   return changed;
 }
@@ -125,13 +159,13 @@ double StageKernel::worst_residual(int& dof, double& ratio) const {
 }
 
 void StageKernel::hold_rows(std::span<const double> head) {
-  for (std::size_t h = 0; h < ponded_.size(); ++h) {
+  for (std::size_t h = 0; h < mode_.size(); ++h) {
     if (!is_held(h)) continue;
     const HeldDof& held = boundary_.held()[h];
     for (int k = matrix_.row_start[held.dof]; k < matrix_.row_start[held.dof + 1]; ++k) {
       matrix_.value[k] = matrix_.column[k] == held.dof ? 1 : 0;
     }
-    residual_[held.dof] = head[held.dof] - held.head;
+    residual_[held.dof] = head[held.dof] - held_head(h);
   }
 }
 
@@ -151,8 +185,8 @@ bool StageKernel::newton_step(double tau, std::span<double> head) {
     if (!linear_->solve(matrix_, residual_)) return false;
   }
   for (std::size_t i = 0; i < head.size(); ++i) head[i] -= residual_[i];
-  for (std::size_t h = 0; h < ponded_.size(); ++h) {
-    if (is_held(h)) head[boundary_.held()[h].dof] = boundary_.held()[h].head;  // exactly, not to rounding
+  for (std::size_t h = 0; h < mode_.size(); ++h) {
+    if (is_held(h)) head[boundary_.held()[h].dof] = held_head(h);  // exactly, not to rounding
   }
   return true;
 }
@@ -160,7 +194,7 @@ bool StageKernel::newton_step(double tau, std::span<double> head) {
 bool StageKernel::solve(std::span<const double> target, double tau, std::span<double> head) {
   ++solves;
   failure_ = {};
-  const std::vector<char> ponded_before = ponded_;
+  const std::vector<Mode> mode_before = mode_;
   std::fill(rounding_.begin(), rounding_.end(), 0.0);
   for (int iteration = 0;; ++iteration) {
     evaluate(head);
@@ -183,7 +217,7 @@ bool StageKernel::solve(std::span<const double> target, double tau, std::span<do
     ++iterations;
   }
   ++failed_solves;
-  ponded_ = ponded_before;
+  mode_ = mode_before;
   return false;
 }
 
@@ -200,16 +234,31 @@ std::vector<double> StageKernel::make_consistent(std::vector<double>& head) cons
   return taken;
 }
 
+/// `row` is the inflow of a rain dof with all that is offered and demanded [m^dim/s].
+StageKernel::Mode StageKernel::mode_of_rates(std::size_t h, double head, double row) const {
+  const HeldDof& held = boundary_.held()[h];
+  if (head >= held.head && row > 0) return Mode::ponded;
+  if (held.demand == 0 || head > held.lowest || (head == held.lowest && row >= 0)) return Mode::free;
+  return head == held.lowest && -row <= held.demand ? Mode::dry_held : Mode::dry_free;
+}
+
 std::vector<double> StageKernel::rates(std::span<const double> head) {
   evaluate(head);
   std::vector<double> rate = flow_.inflow();
   for (std::size_t h = 0; h < released_.size(); ++h) {
     const HeldDof& held = boundary_.held()[h];
     double& row = rate[held.dof];
-    row += held.rain;
-    ponded_[h] = held.kind == HeldDof::Kind::rain && head[held.dof] >= held.head && row > 0;
-    released_[h] = is_held(h) ? row : 0;
-    if (is_held(h)) row = 0;
+    row += held.rain - held.demand;
+    double kept = row;  // what stays in the soil
+    if (held.kind == HeldDof::Kind::head) {
+      kept = flow_.volume()[held.dof] * flow_.capacity()[held.dof] * held.head_rate;
+    } else {
+      mode_[h] = mode_of_rates(h, head[held.dof], row);
+      if (is_held(h)) kept = 0;
+      if (mode_[h] == Mode::dry_free) kept = row + held.demand;
+    }
+    released_[h] = row - kept;
+    row = kept;
   }
   for (std::size_t i = 0; i < rate.size(); ++i) rate[i] /= flow_.volume()[i];
   return rate;
@@ -217,14 +266,22 @@ std::vector<double> StageKernel::rates(std::span<const double> head) {
 
 void StageKernel::ledger_rates(std::span<double> rates) const {
   std::fill(rates.begin(), rates.end(), 0.0);
-  const std::size_t held_count = released_.size();
+  const std::size_t held_count = released_.size(), conditions = boundary_.condition_count();
   for (std::size_t h = 0; h < held_count; ++h) {
     const HeldDof& held = boundary_.held()[h];
-    // Of what a rain side releases, the rain it was offered runs off; the rest seeps out of the soil.
-    if (held.kind == HeldDof::Kind::rain) rates[h] = std::min(released_[h], held.rain);
-    rates[held_count + held.condition] += released_[h] - rates[h];
+    double released = released_[h];
+    if (held.kind == HeldDof::Kind::rain) {
+      if (released < 0) {
+        rates[held_count + conditions + h] = -released;
+        continue;
+      }
+      // Of what a rain side releases, the rain it was offered runs off; the rest seeps out of the soil.
+      rates[h] = std::min(released, held.rain);
+      released -= rates[h];
+    }
+    rates[held_count + held.condition] += released;
   }
-  for (int c = 0; c < boundary_.condition_count(); ++c) rates[held_count + c] += flow_.drained()[c];
+  for (std::size_t c = 0; c < conditions; ++c) rates[held_count + c] += flow_.drained()[c];
 }
 
 }  // namespace wetfront::fem_reference
