@@ -60,6 +60,26 @@ void write_row(std::ostream& out, const Finding& finding) {
       << html(number_text(finding.cpu_s)) << "</td><td class=\"reason\">" << html(finding.reason) << "</td></tr>\n";
 }
 
+void write_table(std::ostream& out, const std::string& id, const std::vector<Finding>& findings) {
+  std::vector<std::string> groups;
+  for (const Finding& finding : findings)
+    if (std::find(groups.begin(), groups.end(), finding.group) == groups.end()) groups.push_back(finding.group);
+  out << "<div class=\"wide\"><table id=\"" << id
+      << "\" class=\"verdicts\"><thead><tr><th>Verdict</th><th>Quantity</th>"
+         "<th class=\"number\">Error</th><th class=\"number\">Reference bound</th><th class=\"number\">Tolerance</th>"
+         "<th>Error / tolerance</th><th class=\"number\">CPU&nbsp;[s]</th><th>Reason for the "
+         "tolerance</th></tr></thead>\n";
+  for (const std::string& group : groups) {
+    out << "<tbody>";
+    if (!group.empty())
+      out << "<tr class=\"group\"><th colspan=\"8\" scope=\"rowgroup\">" << html(group) << "</th></tr>\n";
+    for (const Finding& finding : findings)
+      if (finding.group == group) write_row(out, finding);
+    out << "</tbody>\n";
+  }
+  out << "</table></div>\n";
+}
+
 }  // namespace
 
 std::string badge(Verdict verdict) {
@@ -68,24 +88,16 @@ std::string badge(Verdict verdict) {
 }
 
 std::string verdict_table(const Record& record) {
-  std::vector<std::string> groups;
-  for (const Finding& finding : record.findings)
-    if (std::find(groups.begin(), groups.end(), finding.group) == groups.end()) groups.push_back(finding.group);
+  std::vector<Finding> gated, shown;
+  for (const Finding& finding : record.findings) (finding.verdict == Verdict::info ? shown : gated).push_back(finding);
   std::ostringstream out;
-  out << "<div class=\"wide\"><table id=\"verdict-table\" "
-         "class=\"verdicts\"><thead><tr><th>Verdict</th><th>Quantity</th>"
-         "<th class=\"number\">Error</th><th class=\"number\">Reference bound</th><th class=\"number\">Tolerance</th>"
-         "<th>Error / tolerance</th><th class=\"number\">CPU&nbsp;[s]</th><th>Reason for the "
-         "tolerance</th></tr></thead>\n";
-  for (const std::string& group : groups) {
-    out << "<tbody>";
-    if (!group.empty())
-      out << "<tr class=\"group\"><th colspan=\"8\" scope=\"rowgroup\">" << html(group) << "</th></tr>\n";
-    for (const Finding& finding : record.findings)
-      if (finding.group == group) write_row(out, finding);
-    out << "</tbody>\n";
-  }
-  out << "</table></div>\n";
+  if (!gated.empty()) write_table(out, "verdict-table", gated);
+  if (shown.empty()) return out.str();
+  // What decides nothing is folded away, so that the figures follow the verdicts; it opens without scripts, too.
+  out << "<details class=\"shown-only\"" << (gated.empty() ? " open" : "") << "><summary>" << shown.size()
+      << " more shown, not gated</summary>\n";
+  write_table(out, "shown-table", shown);
+  out << "</details>\n";
   return out.str();
 }
 
