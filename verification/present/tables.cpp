@@ -54,6 +54,22 @@ std::string retention_text(const Retention& retention) {
                     retention);
 }
 
+std::string permeability_text(const Soil& soil) {
+  switch (soil.permeability) {
+    case PermeabilityLaw::mualem:
+      return "Mualem";
+    case PermeabilityLaw::printed_mualem:
+      return "Mualem as printed in Lee 2021, Eq. 7 (a known defect; the reference uses Mualem)";
+    case PermeabilityLaw::mualem_of_saturation:
+      return "Mualem of S in place of Se (a known defect; the reference uses Mualem)";
+    case PermeabilityLaw::exponential:
+      return fmt::format("exponential, scale {:g} kPa", soil.permeability_suction_scale / 1e3);
+    case PermeabilityLaw::constant:
+      return "constant";
+  }
+  return "";
+}
+
 std::string rain_text(const Rain& rain) {
   if (rain.record.start.size() > 1)
     return fmt::format("on '{}', a record of {} intensities", rain.side, rain.record.start.size());
@@ -70,7 +86,10 @@ void add_soil(Table& table, const Soil& soil, const Scene& scene) {
         soil.intrinsic_permeability * scene.water->density * gravity_magnitude(scene) / scene.water->viscosity;
     table.rows.push_back({"saturated conductivity", fmt::format("{:.4g} m/s", conductivity)});
   }
-  if (soil.retention) table.rows.push_back({"retention", retention_text(*soil.retention)});
+  if (soil.retention) {
+    table.rows.push_back({"retention", retention_text(*soil.retention)});
+    table.rows.push_back({"relative permeability", permeability_text(soil)});
+  }
   table.rows.push_back({"skeleton", soil.elastic ? fmt::format("elastic, E {:g} MPa, nu {:g}",
                                                                soil.elastic->young / 1e6, soil.elastic->poisson)
                                                  : "rigid"});

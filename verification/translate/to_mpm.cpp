@@ -32,7 +32,7 @@ mpm::PermeabilitySpec permeability_of(const Soil& soil) {
     case PermeabilityLaw::mualem_of_saturation:
       return mpm::MualemOfSaturationPermeability{};
     case PermeabilityLaw::exponential:
-      return mpm::ExponentialPermeability{std::get<Exponential>(*soil.retention).suction_scale};
+      return mpm::ExponentialPermeability{soil.permeability_suction_scale};
     case PermeabilityLaw::constant:
       return mpm::ConstantPermeability{};
   }

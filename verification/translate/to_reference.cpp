@@ -45,7 +45,7 @@ class HydraulicUnits {
   fem_reference::Conductivity conductivity(const Soil& soil) const {
     if (soil.permeability == PermeabilityLaw::constant) return fem_reference::ConstantConductivity{};
     if (soil.permeability == PermeabilityLaw::exponential)
-      return fem_reference::ExponentialConductivity{unit_weight / std::get<Exponential>(*soil.retention).suction_scale};
+      return fem_reference::ExponentialConductivity{unit_weight / soil.permeability_suction_scale};
     return fem_reference::MualemConductivity{};
   }
 
