@@ -127,9 +127,10 @@ Vector<dim> upward(const Problem<dim>& problem) {
 }
 
 template <int dim>
-std::vector<double> horizontal_areas(const BoundarySide<dim>& side, const Problem<dim>& problem, const std::string& who,
-                                     const Origin& origin) {
+std::vector<double> open_areas(const BoundarySide<dim>& side, const Problem<dim>& problem, const RainSide& rain) {
   const Vector<dim> up = upward(problem);
+  const bool rains =
+      std::any_of(rain.rain.intensity.begin(), rain.rain.intensity.end(), [](double i) { return i > 0; });
   std::vector<double> areas;
   double total = 0, horizontal = 0, lowest = 0;
   for (const auto& node : side.nodes) {
@@ -138,14 +139,14 @@ std::vector<double> horizontal_areas(const BoundarySide<dim>& side, const Proble
       area += node.area[a] * up[a];
       square += node.area[a] * node.area[a];
     }
-    areas.push_back(area);
+    areas.push_back(rains ? area : std::sqrt(square));
     total += std::sqrt(square);
     horizontal += area;
     lowest = std::min(lowest, area);
   }
   // A millionth of the side's area: far above round-off, far below any slope that rain could be meant for.
-  if (horizontal < 1e-6 * total || lowest < -1e-6 * total)
-    throw CannotPlan(origin + ": " + who + " is asked for on side '" + side.name +
+  if (rains && (horizontal < 1e-6 * total || lowest < -1e-6 * total))
+    throw CannotPlan(rain.origin + ": rainfall is asked for on side '" + side.name +
                      "', which is vertical or faces downwards (rain falls per horizontal area, so none would reach the "
                      "soil). Name a side that faces the sky");
   return areas;
@@ -155,9 +156,7 @@ template BoundarySide<2> boundary_side(const StagePlan<2>&, const std::string&, 
 template BoundarySide<3> boundary_side(const StagePlan<3>&, const std::string&, const std::string&, const Origin&);
 template std::array<double, 2> upward<2>(const Problem<2>&);
 template std::array<double, 3> upward<3>(const Problem<3>&);
-template std::vector<double> horizontal_areas(const BoundarySide<2>&, const Problem<2>&, const std::string&,
-                                              const Origin&);
-template std::vector<double> horizontal_areas(const BoundarySide<3>&, const Problem<3>&, const std::string&,
-                                              const Origin&);
+template std::vector<double> open_areas(const BoundarySide<2>&, const Problem<2>&, const RainSide&);
+template std::vector<double> open_areas(const BoundarySide<3>&, const Problem<3>&, const RainSide&);
 
 }  // namespace wetfront::mpm

@@ -29,10 +29,10 @@ BoundarySide<dim> boundary_side(const StagePlan<dim>& plan, const std::string& n
 template <int dim>
 Vector<dim> upward(const Problem<dim>& problem);
 
-/// Horizontal area that each node of a side stands for [m^(dim-1)], in the order of `side.nodes`: rain falls per
-/// horizontal area. Throws CannotPlan when the side is vertical or faces downwards, so that rain cannot fall on it.
+/// Area that each node of a side stands for [m^(dim-1)], in the order of `side.nodes`. Rain falls per horizontal area;
+/// throws CannotPlan when the side is vertical or faces downwards, so that none can fall on it. A side on which it
+/// never rains, a seepage face, may face any way: its whole area counts.
 template <int dim>
-std::vector<double> horizontal_areas(const BoundarySide<dim>& side, const Problem<dim>& problem, const std::string& who,
-                                     const Origin& origin);
+std::vector<double> open_areas(const BoundarySide<dim>& side, const Problem<dim>& problem, const RainSide& rain);
 
 }  // namespace wetfront::mpm

@@ -88,7 +88,14 @@ void check(const Problem<dim>& problem) {
                      std::to_string(dim) + " (a column is a strip one cell wide in the MPM)");
   if (problem.stages.empty()) throw CannotPlan("the problem has no stage. Add one");
   double before = 0;
+  const Stage* last = nullptr;
   for (const Stage& stage : problem.stages) {
+    if (last && last->liquid == LiquidScheme::implicit_drag && stage.liquid == LiquidScheme::seepage)
+      throw CannotPlan(stage.origin + ": stage '" + stage.name + "' uses the scheme seepage after stage '" +
+                       last->name +
+                       "' used implicit-drag (whose water lies in the points; its nodal pressures, from which seepage "
+                       "would start, hold another amount). Put the seepage stages first");
+    last = &stage;
     if (!(stage.end_time > before))
       throw CannotPlan(stage.origin + ": stage '" + stage.name + "' ends at " + std::to_string(stage.end_time) +
                        " s, not after the one before it. Put stages in order of their end times");

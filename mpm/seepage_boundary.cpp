@@ -17,14 +17,14 @@ constexpr double film_conductance = 1e3;
 template <int dim>
 struct RainedNode {
   int node;
-  double area;  ///< horizontal [m^(dim-1)]
+  double area;  ///< horizontal; of a seepage face the whole [m^(dim-1)]
   double film;  ///< beta [m/(s Pa)]
 };
 
 template <int dim>
 std::vector<RainedNode<dim>> rained_nodes(const StagePlan<dim>& plan, const RainSide& rain) {
   const auto side = boundary_side(plan, rain.side, "rainfall", rain.origin);
-  const auto areas = horizontal_areas(side, plan.problem, "rainfall", rain.origin);
+  const auto areas = open_areas(side, plan.problem, rain);
   const auto& grid = plan.fields.grid;
   std::vector<double> altitude(grid.node_count(), 0.0);
   for (const Block& block : plan.fields.points.blocks())

@@ -46,7 +46,7 @@ void RainOnTwoVelocity<dim>::collect(const StagePlan<dim>& plan) {
     const auto* rain = std::get_if<RainSide>(&boundary);
     if (rain == nullptr) continue;
     const auto side = boundary_side(plan, rain->side, "rainfall", rain->origin);
-    const auto areas = horizontal_areas(side, plan.problem, "rainfall", rain->origin);
+    const auto areas = open_areas(side, plan.problem, *rain);
     for (std::size_t k = 0; k < side.nodes.size(); ++k) {
       const auto index = static_cast<std::size_t>(side.nodes[k].index);
       Node& node = found[index];

@@ -137,6 +137,16 @@ TEST(Plan, RefusesRainThatCannotFall) {
   EXPECT_THAT(refusal(problem), HasSubstr("vertical or faces downwards"));
 }
 
+TEST(Plan, RefusesSeepageAfterTwoVelocities) {
+  Problem<2> problem = test::seed_column(10, 0.087, 3e-5, 1.0);
+  problem.stages[0].liquid = LiquidScheme::implicit_drag;
+  problem.stages.push_back(problem.stages[0]);
+  problem.stages[1].end_time = 2;
+  EXPECT_EQ(refusal(problem), "");
+  problem.stages[1].liquid = LiquidScheme::seepage;
+  EXPECT_THAT(refusal(problem), HasSubstr("Put the seepage stages first"));
+}
+
 TEST(Plan, RefusesRainWithNoSoilBehind) {
   Problem<2> problem = test::seed_column(10, 0.087, 3e-5, 1.0);
   Fields<2> fields(problem);

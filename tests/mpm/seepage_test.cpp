@@ -194,6 +194,29 @@ TEST(Seepage, AHeldBaseDrainsWhatTheBalanceSays) {
   EXPECT_NEAR((b.outflow - a.outflow) / (b.time - a.time) / 0.03, 3e-5, 3e-8);
 }
 
+TEST(Seepage, ASeepageFaceDrainsWhereverItLooks) {
+  Problem<2> full = test::seed_column(20, 0.087, 0, 40000);
+  for (std::size_t i = 0; i < full.mesh.node_count(); ++i)
+    full.initial_pressure[i] = 9810 * (1.2 - full.mesh.nodes[i][1]);
+  full.water_boundary = {RainSide{"base", {{0}, {0}}, "test:seepage face"}};
+  full.output_times = {40000};
+  const auto drained = run<2>(full);
+  EXPECT_LE(worst_balance(drained), 1e-8);
+  // At rest with p = 0 at the base: hydrostatic suction up the column, and no water below it lost to a held suction.
+  for (std::size_t i = 0; i < full.mesh.node_count(); ++i)
+    EXPECT_NEAR(drained.snapshots[0].node_pressure[i], -9810 * full.mesh.nodes[i][1], 200) << i;
+  // Dry, it lets nothing in.
+  Problem<2> dry = test::seed_column(20, 0.087, 0, 1000);
+  dry.water_boundary = {RainSide{"base", {{0}, {0}}, "test:seepage face"},
+                        RainSide{"right", {{0}, {0}}, "test:seepage face"}};
+  const auto closed = run<2>(dry);
+  EXPECT_EQ(closed.ledger.back().infiltrated, 0);
+  EXPECT_LE(worst_balance(closed), 1e-8);
+  // Rain, however, must have something to fall on.
+  dry.water_boundary = {RainSide{"base", {{0}, {1e-5}}, "test:rain"}};
+  EXPECT_THROW(run<2>(dry), CannotPlan);
+}
+
 TEST(Seepage, StepsLandOnBreaksOutputTimesAndTheEnd) {
   Problem<2> problem = test::seed_column(20, 0.087, 3e-5, 1000);
   problem.water_boundary = {RainSide{"top", {{0, 300.25, 500}, {3e-5, 1e-4, 0}}, "o"}};
