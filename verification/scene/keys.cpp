@@ -105,7 +105,7 @@ std::vector<Key> run_keys() {
     {"stage", "mass_balance", Takes::choice, "", optional, "conservative", "printed-2021 is Lee 2021, Eqs 4 and 18 as printed, which loses rain: a known defect, kept to show what it costs", "conservative",
      {}, {"conservative", "printed-2021"}, "scheme", {"implicit-drag"}},
 
-    {"mpm", "points_per_cell", Takes::count, "", optional, "4", "material points per cell, a square number", "4", {"1", "64"}},
+    {"mpm", "points_per_cell", Takes::count, "", optional, "4", "material points per cell, a square number", "4", {"1", "25"}},
 
     {"reference", "cells", Takes::count, "", optional, "320", "cells over the height of a column; other meshes are refined to at least this", "320", {"2", "100000"}},
     {"reference", "tolerance", Takes::quantity, "1", optional, "1e-6", "relative tolerance of the time integration", "1e-6", {"1e-12", "0.01"}},

@@ -77,6 +77,12 @@ void read_water_condition(SectionReader& reader, Boundary& boundary, const Readi
   const auto condition = known.find(reader.choice("water"));
   if (condition != known.end()) boundary.water = condition->second;
   if (boundary.water == WaterCondition::pressure) boundary.pressure = reader.quantity("pressure");
+  const bool flank = std::holds_alternative<Column>(reading.scene.geometry.shape) &&
+                     (boundary.side == "left" || boundary.side == "right");
+  if (flank && boundary.water && boundary.water != WaterCondition::impermeable && reading.has_reference())
+    reader.complain("water", {"water passes through '" + boundary.side + "' of a column",
+                              "the reference of a column is one-dimensional: it has only base and top",
+                              "Use a slope or a mesh, or leave [reference] and its gates out."});
   for (const Rain& rain : reading.scene.rains)
     if (rain.side == boundary.side && !boundary.side.empty()) {
       boundary.water.reset();

@@ -19,6 +19,11 @@ void read_reference(Reading& reading) {
     section->complain_at(section->place(),
                          {"[reference] is not used", "there is no [water], and the reference computes nothing else",
                           "Remove it, or add [water]."});
+  const auto& g = reading.scene.gravity;
+  if (reading.wet() && g[0] == 0 && g[1] == 0 && g[2] == 0)
+    section->complain_at(section->place(),
+                         {"[reference] needs gravity", "it computes with heads, p / (rho g), and g is zero here",
+                          "Remove [reference] and its gates, or let gravity act."});
   ReferenceSettings settings;
   settings.cells = section->count("cells");
   settings.tolerance = section->quantity("tolerance");
