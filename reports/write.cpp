@@ -18,6 +18,13 @@ void render(const Record& record, const std::filesystem::path& folder) {
 
 }  // namespace
 
+void make_writable(const std::filesystem::path& folder) {
+  make_folder(folder);
+  const std::filesystem::path trial = folder / ".trial";
+  write_whole(trial, "x");
+  std::filesystem::remove(trial);
+}
+
 void write_result(const Record& record, const std::filesystem::path& folder) {
   make_folder(folder);
   // The data first: they outlive a drawing that fails.

@@ -7,6 +7,10 @@
 
 namespace wetfront::reports {
 
+/// Makes the folder and tries whether a file can be put there. Throws std::runtime_error naming the folder and the
+/// system's reason: to be called before a long computation, not after it.
+void make_writable(const std::filesystem::path& folder);
+
 /// Writes result.json (schema: result.schema.json), figures/ (CSV, gnuplot script and SVG of each) and report.html into
 /// `folder`. Throws std::runtime_error naming the file that cannot be written. Files appear whole or not at all.
 void write_result(const Record& record, const std::filesystem::path& folder);

@@ -94,6 +94,16 @@ TEST_F(CommandLine, BadInputExitsWith2AndRunsNothing) {
   EXPECT_EQ(wetfront("fly").code, 2);
 }
 
+TEST_F(CommandLine, AFolderThatCannotBeWrittenIsSaidBeforeTheRun) {
+  write("in_the_way", "");
+  std::string scene = read(cases + "seed_column/scene_3e-5.toml");
+  scene.replace(scene.find("cells = 320"), 11, "cells = 100000");  // hours, were it run first
+  write("long.toml", scene);
+  const Output output = wetfront("run long.toml --out in_the_way");
+  EXPECT_EQ(output.code, 2) << output.text;
+  EXPECT_THAT(output.text, HasSubstr("in_the_way: cannot make the folder"));
+}
+
 TEST_F(CommandLine, ScenesOfOneNameDoNotOverwriteEachOther) {
   const Output output = wetfront("run " + cases + "dry_column/scene.toml " + cases + "../cases/dry_column/scene.toml");
   EXPECT_EQ(output.code, 2);

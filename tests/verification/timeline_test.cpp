@@ -40,5 +40,27 @@ TEST(Translate, BothSolversGetTheSameSoilInTheirOwnUnits) {
   EXPECT_EQ(reference.output_times, mpm.output_times);
 }
 
+TEST(Timeline, ALedgerWithoutRainIsToldPerWidthOfTheGround) {
+  Scene scene = seed_scene("scene_3e-5");
+  scene.rains.clear();
+  EXPECT_NEAR(ledger_area(scene, mpm_mesh(scene)), 0.03, 1e-12);
+  EXPECT_EQ(ledger_area(scene, reference_mesh(scene, 10)), 1);
+}
+
+TEST(Translate, AnExponentialPermeabilityKeepsAScaleOfItsOwn) {
+  Scene scene = seed_scene("scene_3e-5");  // its retention is van Genuchten's: there is no other scale to fall back to
+  const Timeline line = timeline(scene);
+  scene.soils[0].permeability = PermeabilityLaw::exponential;
+  scene.soils[0].permeability_suction_scale = 3000;
+  for (const Retention& retention : {scene.soils[0].retention.value(), Retention(Exponential{1000, 0.087, 1})}) {
+    scene.soils[0].retention = retention;
+    const auto mpm = to_mpm(scene, mpm_mesh(scene), line);
+    EXPECT_EQ(std::get<mpm::ExponentialPermeability>(*mpm.soils[0].permeability).suction_scale, 3000);
+    const auto reference = to_reference(scene, line, {10, 1e-6});
+    EXPECT_NEAR(std::get<fem_reference::ExponentialConductivity>(reference.soils[0].conductivity).alpha, 9810 / 3000.0,
+                1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace wetfront::verification

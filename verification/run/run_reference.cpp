@@ -7,12 +7,11 @@
 #include "verification/present/tables.h"
 #include "verification/run/provenance.h"
 
-#include <algorithm>
-
 namespace wetfront::verification {
 
 RunResult run_reference(const Scene& scene, const std::filesystem::path& folder) {
   const Prepared prepared = prepare(scene);
+  reports::make_writable(folder);
   RunResult result;
   result.reference = solve_reference(prepared, false);
   result.finer = solve_reference(prepared, true);
@@ -32,7 +31,7 @@ RunResult run_reference(const Scene& scene, const std::filesystem::path& folder)
   record.findings =
       judge(ungated, prepared.timeline, measure(scene, prepared.timeline, {coarse, fine, fine}), coarse.cpu_seconds);
   record.figures = figures_of_one(scene, coarse, "reference");
-  const double area = std::max(rain_area(scene, coarse.mesh), 1e-300);
+  const double area = ledger_area(scene, coarse.mesh);
   record.tables = {setup_table(scene, prepared.timeline), ledger_table("reference", coarse, area, prepared.timeline),
                    cost_table("reference", coarse), cost_table("finer reference", fine)};
   for (const Solved* solved : {&result.reference, &result.finer}) {
@@ -42,7 +41,6 @@ RunResult run_reference(const Scene& scene, const std::filesystem::path& folder)
       result.exit = Exit::gave_up;
     }
   }
-  std::filesystem::create_directories(folder);
   reports::write_result(record, folder);
   reports::write_fields(field_files(coarse, "reference"), folder);
   return result;

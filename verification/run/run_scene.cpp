@@ -35,11 +35,9 @@ void note_solver(reports::Record& record, const std::string& who, const Solved& 
 }
 
 void add_candidate_tables(reports::Record& record, const Prepared& prepared, const meshes::FieldHistory& history) {
-  const double area = std::max(rain_area(prepared.scene, history.mesh), 1e-300);
-  if (!prepared.scene.rains.empty()) {
-    record.tables.push_back(ledger_table("MPM", history, area, prepared.timeline));
-    record.tables.push_back(node_rain_table(history));
-  }
+  if (prepared.scene.water)
+    record.tables.push_back(ledger_table("MPM", history, ledger_area(prepared.scene, history.mesh), prepared.timeline));
+  if (!prepared.scene.rains.empty()) record.tables.push_back(node_rain_table(history));
   record.tables.push_back(cost_table("MPM", history));
 }
 
@@ -65,8 +63,7 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   record.verdict = overall(record.findings);
   record.figures = figures(prepared.scene, prepared.timeline, histories, measurements);
   record.tables.push_back(ledger_table("reference", histories.reference,
-                                       std::max(rain_area(prepared.scene, histories.reference.mesh), 1e-300),
-                                       prepared.timeline));
+                                       ledger_area(prepared.scene, histories.reference.mesh), prepared.timeline));
   record.tables.push_back(cost_table("reference", histories.reference));
   record.tables.push_back(cost_table("finer reference (bounds the reference's error)", histories.finer));
 }
@@ -124,8 +121,9 @@ RunResult run_prepared(const Prepared& prepared) {
 }
 
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder) {
-  RunResult result = run_prepared(prepare(scene));
-  std::filesystem::create_directories(folder);
+  const Prepared prepared = prepare(scene);
+  reports::make_writable(folder);  // before hours are spent on what could not be kept
+  RunResult result = run_prepared(prepared);
   reports::write_result(result.record, folder);
   auto files = field_files(result.candidate.history, "mpm");
   for (auto& file : field_files(result.reference.history, "reference")) files.push_back(std::move(file));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -44,6 +45,14 @@ double rain_area(const Scene& scene, const meshes::Mesh& mesh) {
   double area = 0;
   for (const Rain& rain : scene.rains) area += horizontal_area(mesh, mesh.side(rain.side));
   return area;
+}
+
+double ledger_area(const Scene& scene, const meshes::Mesh& mesh) {
+  if (!scene.rains.empty()) return rain_area(scene, mesh);
+  if (mesh.dim == 1) return 1;
+  const auto [first, last] = std::ranges::minmax_element(
+      mesh.nodes, [](const meshes::Point& a, const meshes::Point& b) { return a[0] < b[0]; });
+  return (*last)[0] - (*first)[0];
 }
 
 double rain_asked(const Scene& scene, const meshes::Mesh& mesh, double time) {

@@ -24,6 +24,10 @@ Timeline timeline(const Scene& scene);
 /// Horizontal area under rain [m2/m].
 double rain_area(const Scene& scene, const meshes::Mesh& mesh);
 
+/// Horizontal area that a water ledger is told per [m2/m]: that under rain or, where none falls, the width of the
+/// ground.
+double ledger_area(const Scene& scene, const meshes::Mesh& mesh);
+
 /// Rain volume that the scene asks for in [0, time] [m3/m]: exact integral of the record times the area.
 double rain_asked(const Scene& scene, const meshes::Mesh& mesh, double time);
 
