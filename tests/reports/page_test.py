@@ -174,7 +174,7 @@ class WithJavaScript(Page, unittest.TestCase):
         self.assertEqual(len(links), 3)
         for link in links:
             self.chromium.get(link)
-            self.only("table.verdicts")
+            self.assertTrue(self.all("table.verdicts"))
         self.assertEqual(self.chromium.get_log("browser"), [])
 
 
