@@ -14,15 +14,16 @@ using std::numbers::pi;
 /// (u, u') -> angle in the branch that began at `start`: u'' = -m^2 u passes u = 0 only upwards in angle.
 double advance(double m_squared, double length, double start) {
   const double branch = std::floor(start / pi), inside = start - branch * pi;
+  const double sine = std::max(std::sin(inside), 0.0);  // rounding may put `inside` a bit above pi: still this branch
   if (m_squared > 0) {
     const double m = std::sqrt(m_squared);
-    const double phase = branch * pi + std::atan2(m * std::sin(inside), std::cos(inside)) + m * length;
+    const double phase = branch * pi + std::atan2(m * sine, std::cos(inside)) + m * length;
     const double turns = std::floor(phase / pi), rest = phase - turns * pi;
-    return turns * pi + std::atan2(std::sin(rest), m * std::cos(rest));
+    return turns * pi + std::atan2(std::max(std::sin(rest), 0.0), m * std::cos(rest));
   }
   const double s = sine_over(m_squared, length), c = cosine(m_squared, length);
-  const double u = std::sin(inside) * c + std::cos(inside) * s;
-  const double slope = std::cos(inside) * c - m_squared * std::sin(inside) * s;
+  const double u = sine * c + std::cos(inside) * s;
+  const double slope = std::cos(inside) * c - m_squared * sine * s;
   // Non-oscillating: at most one zero, so u < 0 means exactly one was passed.
   return u >= 0 ? branch * pi + std::atan2(u, slope) : (branch + 1) * pi + std::atan2(-u, -slope);
 }
@@ -62,7 +63,7 @@ double integral_of_sine_squared(double y, double x) {
 double pruefer_angle(const TwoLayerMedium& m, double eigenvalue) {
   const double lower = advance(eigenvalue - 0.25, m.length1, 0);
   const double branch = std::floor(lower / pi), inside = lower - branch * pi;
-  const double u = std::sin(inside), slope = m.ratio * (std::cos(inside) + u / 2) - u / 2;
+  const double u = std::max(std::sin(inside), 0.0), slope = m.ratio * (std::cos(inside) + u / 2) - u / 2;
   return advance(m.beta * eigenvalue - 0.25, m.length2, branch * pi + std::atan2(u, slope));
 }
 
