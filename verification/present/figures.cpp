@@ -19,6 +19,25 @@ using reports::Series;
 constexpr double kPa = 1000;
 constexpr double mm = 1e-3;
 
+struct Heading {
+  std::string id, title, section;
+};
+struct Axis {
+  std::string label, unit;
+};
+
+Figure blank(const Heading& heading, const Axis& x, const Axis& y) {
+  Figure figure;
+  figure.id = heading.id;
+  figure.title = heading.title;
+  figure.section = heading.section;
+  figure.x_label = x.label;
+  figure.x_unit = x.unit;
+  figure.y_label = y.label;
+  figure.y_unit = y.unit;
+  return figure;
+}
+
 /// At most `most` entries of a long series, ends included: enough for a figure, small enough for a page.
 std::vector<std::size_t> thinned(std::size_t size, std::size_t most = 400) {
   std::vector<std::size_t> index;
@@ -74,14 +93,7 @@ const std::vector<Field>& column_fields() {
 }
 
 Figure profile_figure(const Field& field) {
-  Figure figure;
-  figure.id = field.id;
-  figure.title = field.title;
-  figure.section = "Profiles";
-  figure.x_label = field.name;
-  figure.x_unit = field.unit_name;
-  figure.y_label = "elevation";
-  figure.y_unit = "m";
+  Figure figure = blank({field.id, field.title, "Profiles"}, {field.name, field.unit_name}, {"elevation", "m"});
   return figure;
 }
 
@@ -104,14 +116,8 @@ Figure profile(const Field& field, const Timeline& timeline, const Histories& hi
 }
 
 Figure error_profile(const Histories& histories, const Timeline& timeline) {
-  Figure figure;
-  figure.id = "pressure_difference";
-  figure.title = "Pressure difference in the cells, MPM minus reference";
-  figure.section = "Profiles";
-  figure.x_label = "pressure difference";
-  figure.x_unit = "kPa";
-  figure.y_label = "elevation";
-  figure.y_unit = "m";
+  Figure figure = blank({"pressure_difference", "Pressure difference in the cells, MPM minus reference", "Profiles"},
+                        {"pressure difference", "kPa"}, {"elevation", "m"});
   const auto candidate = cell_profiles(histories.candidate);
   const auto reference = profiles_at_cells(histories.reference, histories.candidate);
   for (std::size_t t = 0; t < std::min(candidate.size(), reference.size()); ++t) {
@@ -148,14 +154,8 @@ void add_gauges(Figure& figure, const meshes::FieldHistory& history, const std::
 }
 
 Figure gauge_figure() {
-  Figure figure;
-  figure.id = "pressure_at_probes";
-  figure.title = "Pore pressure at the probes";
-  figure.section = "Time series";
-  figure.x_label = "time";
-  figure.x_unit = "s";
-  figure.y_label = "pore pressure";
-  figure.y_unit = "kPa";
+  Figure figure = blank({"pressure_at_probes", "Pore pressure at the probes", "Time series"}, {"time", "s"},
+                        {"pore pressure", "kPa"});
   return figure;
 }
 
@@ -173,14 +173,8 @@ Series ledger_series(const meshes::FieldHistory& history, double area, const std
 }
 
 Figure ledger_figure(const meshes::FieldHistory& history, double area, const std::string& who) {
-  Figure figure;
-  figure.id = "water_ledger";
-  figure.title = "Water of the " + who + ": asked, imposed, run off, delivered";
-  figure.section = "Flux audit";
-  figure.x_label = "time";
-  figure.x_unit = "s";
-  figure.y_label = "water per area";
-  figure.y_unit = "mm";
+  Figure figure = blank({"water_ledger", "Water of the " + who + ": asked, imposed, run off, delivered", "Flux audit"},
+                        {"time", "s"}, {"water per area", "mm"});
   const double stored = history.ledger.front().stored;
   const auto add = [&](const std::string& label, const LedgerValue& value) {
     figure.series.push_back(ledger_series(history, area, label, value));
@@ -194,14 +188,8 @@ Figure ledger_figure(const meshes::FieldHistory& history, double area, const std
 }
 
 Figure infiltration_figure(const Histories& histories, double area, double reference_area) {
-  Figure figure;
-  figure.id = "cumulative_infiltration";
-  figure.title = "Cumulative infiltration and outflow";
-  figure.section = "Flux audit";
-  figure.x_label = "time";
-  figure.x_unit = "s";
-  figure.y_label = "water per area";
-  figure.y_unit = "mm";
+  Figure figure = blank({"cumulative_infiltration", "Cumulative infiltration and outflow", "Flux audit"}, {"time", "s"},
+                        {"water per area", "mm"});
   const auto infiltrated = [](const meshes::LedgerRow& row) { return row.infiltrated; };
   const auto outflow = [](const meshes::LedgerRow& row) { return row.outflow; };
   figure.series.push_back(ledger_series(histories.reference, reference_area, "reference, infiltrated", infiltrated));
@@ -226,14 +214,7 @@ Series step_series(const meshes::FieldHistory& history, const std::string& label
 }
 
 Figure step_figure() {
-  Figure figure;
-  figure.id = "time_steps";
-  figure.title = "Time steps taken";
-  figure.section = "Cost";
-  figure.x_label = "time";
-  figure.x_unit = "s";
-  figure.y_label = "step";
-  figure.y_unit = "s";
+  Figure figure = blank({"time_steps", "Time steps taken", "Cost"}, {"time", "s"}, {"step", "s"});
   figure.log_y = true;
   return figure;
 }
