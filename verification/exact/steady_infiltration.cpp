@@ -11,6 +11,7 @@
 namespace wetfront::verification::exact {
 namespace {
 constexpr double driest = 1e4;  // in 1/alpha: where K/Ks has fallen below 1e-10 for every n > 1.3
+constexpr double linear_part = 1e-5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
@@ -39,14 +40,20 @@ SteadyVanGenuchten::SteadyVanGenuchten(const VanGenuchten& soil, double flux, do
 double SteadyVanGenuchten::height(double head) const {
   require_point(head > limit_ && head <= base_, "steady van Genuchten: no such head in this profile");
   if (head == base_) return 0;
-  const auto slope = [&](double h) {
-    const double k = soil_.conductivity * soil_.relative_conductivity(h);
-    return k / (k - flux_);
-  };
+  const auto conductivity = [&](double h) { return soil_.conductivity * soil_.relative_conductivity(h); };
+  // Nearer to the limit than this K - q is too small a difference to integrate; there it is linear in h to 1e-5.
+  const double linear = flux_ > 0 ? limit_ + linear_part * (base_ - limit_) : -infinity;
+  const double end = std::max(head, linear);
   // From the base in ln(1 + suction): K has its root singularity at h = 0, and evaporation profiles run over decades.
-  const double scale = 1 / soil_.alpha, drop = base_ - head;
-  return integrate([&](double u) { return slope(base_ - scale * std::expm1(u)) * scale * std::exp(u); }, 0,
-                   std::log1p(drop / scale), 1e-13);
+  const double scale = 1 / soil_.alpha;
+  const auto slope = [&](double u) {
+    const double k = conductivity(base_ - scale * std::expm1(u));
+    return k / (k - flux_) * scale * std::exp(u);
+  };
+  const double height = integrate(slope, 0, std::log1p((base_ - end) / scale), 1e-11);
+  if (head >= linear) return height;
+  const double steepness = (conductivity(linear) - flux_) / (linear - limit_);
+  return height + flux_ / steepness * std::log((linear - limit_) / (head - limit_));
 }
 
 double SteadyVanGenuchten::head(double z) const {
@@ -58,7 +65,7 @@ double SteadyVanGenuchten::head(double z) const {
   const double range = base_ - limit_;
   double low = -1;
   while (height(limit_ + range * std::exp(low)) < z) {
-    if (low < -32) return limit_;  // nearer than 1e-14: the limit itself
+    if (low < -30) return limit_;  // nearer than 1e-13 of the range: the limit itself
     low -= 1;
   }
   const auto at = [&](double u) { return std::min(limit_ + range * std::exp(u), base_); };

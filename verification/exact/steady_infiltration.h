@@ -29,7 +29,7 @@ class SteadyVanGenuchten {
 
   /// Height where the head is h. std::domain_error outside (limit(), base_head].
   double height(double head) const;
-  /// h(z), z >= 0, to 1e-11 relative. std::domain_error above max_height().
+  /// h(z), z >= 0, to 1e-10 of the range of heads. std::domain_error above max_height().
   double head(double z) const;
   /// Rain: the head K(h) = q, reached at infinite height. Evaporation or none: minus infinity.
   double limit() const { return limit_; }
