@@ -39,6 +39,7 @@ RichardsProblem two_soils() {
   problem.gravity_direction = {0, -1, 0};
   problem.soils = {seed_sand(0.087),
                    {"loam", VanGenuchten{0.08, 0.43, 4.0, 2.6}, MualemConductivity{}, 5.8e-5, 1e-5, 0}};
+  problem.soils[0].anisotropy = principal_tensor(2, {4, 0.7, 1}, 0.5);
   problem.boundary = {RainSide{"top", {{0}, {1e-5}}}, FreeDrainageSide{"base"}};
   problem.end_time = 1;
   std::mt19937 random(7);
