@@ -83,6 +83,23 @@ TEST_F(CommandLine, AMissedToleranceExitsWith1) {
   EXPECT_THAT(output.text, HasSubstr("FAIL"));
 }
 
+TEST_F(CommandLine, RainThatAllRunsOffIsNotComparedByItsRoundOff) {
+  ASSERT_EQ(wetfront("new full").code, 0);
+  std::string scene = read(folder / "full.toml");
+  const auto change = [&scene](const std::string& from, const std::string& to) {
+    ASSERT_NE(scene.find(from), std::string::npos) << from;
+    scene.replace(scene.find(from), from.size(), to);
+  };
+  change("water_table = \"0 m\"", "water_table = \"1.2 m\"");  // full to the surface
+  change("105 % of filling", "600 s");
+  change("\"25 % of filling\", \"50 % of filling\", \"75 % of filling\"", "\"600 s\"");
+  scene += "\n[[tolerance]]\nquantity = \"cumulative_infiltration\"\nvalue = \"1 %\"\nreason = \"any\"\n";
+  write("full.toml", scene);
+  const Output output = wetfront("run full.toml");
+  EXPECT_EQ(output.code, 4) << output.text;
+  EXPECT_THAT(output.text, HasSubstr("nothing to measure"));
+}
+
 TEST_F(CommandLine, BadInputExitsWith2AndRunsNothing) {
   write("typo.toml", "title = \"x\"\n[geometri]\n");
   const Output output = wetfront("run " + cases + "seed_column/scene_3e-5.toml typo.toml");
