@@ -6,14 +6,6 @@
 namespace wetfront::fem_reference {
 namespace {
 
-// Powers go through log/exp with log1p/expm1, so that neither end of the curve cancels:
-// u = (alpha |psi|)^n, Se = (1 + u)^-m, 1 - Se^{1/m} = u / (1 + u).
-struct VanGenuchtenPowers {
-  VanGenuchtenPowers(const VanGenuchten& soil, double head)
-      : m(1 - 1 / soil.n), log_u(soil.n * std::log(-soil.alpha * head)), u(std::exp(log_u)), log1p_u(std::log1p(u)) {}
-  double m, log_u, u, log1p_u;
-};
-
 /// a / (a + x^p) and its derivative with respect to x, for x >= 0; 1/u keeps both ends finite.
 ValueAndSlope rational_decay(double a, double power, double x) {
   const double u = std::exp(power * std::log(x)) / a;
@@ -22,13 +14,6 @@ ValueAndSlope rational_decay(double a, double power, double x) {
 }
 
 }  // namespace
-
-/// van Genuchten 1980, Eqs 3 and 21.
-ValueAndSlope effective_saturation(const VanGenuchten& soil, double head) {
-  const VanGenuchtenPowers p(soil, head);
-  const double se = std::exp(-p.m * p.log1p_u);
-  return {se, p.m * soil.n * se / ((1 + 1 / p.u) * -head)};
-}
 
 ValueAndSlope effective_saturation(const ExponentialRetention& soil, double head) {
   const double se = std::exp(soil.alpha * head);
@@ -59,18 +44,6 @@ ValueAndSlope effective_saturation(const BroadbridgeWhiteRetention& soil, double
   }
   const double se = 1 / v;
   return {se, se * se * (soil.c - se) / (soil.c * soil.lambda)};
-}
-
-/// Mualem 1976 in van Genuchten's closed form (1980, Eq 8): Kr = Se^1/2 T^2, T = 1 - (u/(1+u))^m.
-ValueAndSlope mualem(const VanGenuchten& soil, double head) {
-  const VanGenuchtenPowers p(soil, head);
-  const double log_ratio = -std::log1p(1 / p.u);  // log(u/(1+u))
-  const double t = -std::expm1(p.m * log_ratio);
-  const double kr = std::exp(-0.5 * p.m * p.log1p_u) * t * t;
-  const double n_over_head = soil.n / head;  // d(log u)/dpsi
-  // d(log Kr)/dpsi = -m [u/2 + 2 (1-T)/T] / (1+u) d(log u)/dpsi
-  const double log_slope = -p.m * n_over_head * (0.5 / (1 + 1 / p.u) + 2 * (1 - t) / (t * (1 + p.u)));
-  return {kr, kr * log_slope};
 }
 
 ValueAndSlope relative_conductivity(const HaverkampConductivity& law, double head) {
