@@ -123,6 +123,10 @@ TEST(SteadyInfiltration, SatisfiesDarcyAndTendsToUnitGradient) {
   expect_residual(worst, 1e-7, "steady");  // first differences of an inverted quadrature
   const SteadyVanGenuchten s(seed, 3e-5);
   EXPECT_NEAR(s.head(20), s.limit(), 1e-12);
+  // next to the limit each decade of h - limit takes the same height, also where the linear tail takes over (1e-5)
+  const auto height = [&](double part) { return s.height(s.limit() * (1 - part)); };
+  EXPECT_NEAR((height(1e-8) - height(1e-7)) / (height(1e-4) - height(1e-3)), 1, 1e-2);  // K is curved at 1e-3
+  EXPECT_NEAR((height(1e-8) - height(1e-7)) / (height(2e-5) - height(2e-4)), 1, 2e-3);
   EXPECT_NEAR(seed.conductivity * seed.relative_conductivity(s.limit()), 3e-5, 1e-16);
   EXPECT_NEAR((SteadyGardner{1, 1, 0.3, -0.5}.head(0)), -0.5, 1e-15);
   EXPECT_NEAR((SteadyGardner{1, 1, 0.3}.head(60)), std::log(0.3), 1e-14);

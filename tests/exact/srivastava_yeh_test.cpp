@@ -135,6 +135,7 @@ TEST(SrivastavaYehSlope, IsTheLevelLayerAtNoAngleAndSteadyAtTheEnd) {
   EXPECT_NEAR(s.head(0, 10), -5, 1e-12);
   // K (psi_n + cos beta) = I cos beta: K/Ks = q - (q - e^{alpha psi0}) e^{-alpha n cos beta}
   EXPECT_NEAR(s.head(40, 5000), std::log(0.9 - (0.9 - std::exp(-0.5)) * std::exp(-4 * c)) / 0.1, 1e-10);
+  EXPECT_NEAR(s.head(40, 0), std::log(0.1 - (0.1 - std::exp(-0.5)) * std::exp(-4 * c)) / 0.1, 1e-10);
   EXPECT_NEAR(s.water_table_flux(5000), 0.9 * c, 1e-12);
   EXPECT_THROW(SrivastavaYehSlopeSolution({0.1, 1, 0.06, 0.40, 100, 1.6, 0.1, 0.9}), std::invalid_argument);
 }
