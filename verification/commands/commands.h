@@ -17,5 +17,7 @@ int reference(const std::filesystem::path& scene, const std::filesystem::path& o
 int report(const std::filesystem::path& folder);
 int new_scene(const std::string& name);
 int schema(bool as_page);
+/// The reference against its closed forms: one page per case, one index.
+int verify_reference(const std::filesystem::path& out);
 
 }  // namespace wetfront::verification::commands

@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <functional>
+#include <stdexcept>
 
 namespace {
 
@@ -36,7 +37,7 @@ int guarded(const std::function<int()>& command) {
 struct Arguments {
   commands::Paths scenes;
   std::filesystem::path scene, folder, out;
-  std::string name;
+  std::string name, suite;
   bool page = false;
 };
 
@@ -76,6 +77,14 @@ int main(int argc, char** argv) {
                         [&] { return commands::reference(arguments.scene, arguments.out); });
   reference->add_option("SCENE", arguments.scene, "scene file (.toml)")->required();
   reference->add_option("--out", arguments.out, "output folder (default out/<scene>_reference)");
+
+  auto* verify = add("verify", "the suites of closed forms and cases", [&] {
+    if (arguments.suite != "reference")
+      throw std::invalid_argument("there is no suite '" + arguments.suite + "' (there is: reference). Choose that");
+    return commands::verify_reference(arguments.out);
+  });
+  verify->add_option("SUITE", arguments.suite, "reference")->required();
+  verify->add_option("--out", arguments.out, "output folder (default out/verify_reference)");
 
   auto* report = add("report", "render a result folder again from its result.json",
                      [&] { return commands::report(arguments.folder); });

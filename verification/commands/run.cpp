@@ -1,5 +1,6 @@
 #include "reports/write.h"
 #include "verification/commands/commands.h"
+#include "verification/compare/verdict.h"
 #include "verification/run/run_scene.h"
 #include "verification/scene/read.h"
 
@@ -31,20 +32,6 @@ int worse(int a, int b) {
     return 4;
   };
   return severity(a) >= severity(b) ? a : b;
-}
-
-const char* word(reports::Verdict verdict) {
-  switch (verdict) {
-    case reports::Verdict::pass:
-      return "PASS";
-    case reports::Verdict::fail:
-      return "FAIL";
-    case reports::Verdict::inconclusive:
-      return "INCONCLUSIVE";
-    case reports::Verdict::info:
-      return "no gate";
-  }
-  return "";
 }
 
 /// An error or tolerance as people write it: "0.083 %" or "0.0031 m".

@@ -93,6 +93,20 @@ Verdict verdict(double error, double reference_bound, double tolerance) {
   return Verdict::inconclusive;
 }
 
+const char* word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "PASS";
+    case Verdict::fail:
+      return "FAIL";
+    case Verdict::inconclusive:
+      return "INCONCLUSIVE";
+    case Verdict::info:
+      return "no gate";
+  }
+  return "";
+}
+
 std::vector<Finding> judge(const Scene& scene, const Timeline& timeline, const std::vector<Measurement>& measurements,
                            double cpu_seconds) {
   const auto& tolerances = scene.comparison.tolerances;

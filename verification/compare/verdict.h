@@ -12,6 +12,9 @@ namespace wetfront::verification {
 /// PASS if E + u <= T, FAIL if E - u > T, else INCONCLUSIVE (also when E or u is not a number).
 reports::Verdict verdict(double error, double reference_bound, double tolerance);
 
+/// "PASS", "FAIL", "INCONCLUSIVE", or "no gate".
+const char* word(reports::Verdict verdict);
+
 /// Judges measurements by the scene's tolerances. A measurement without a tolerance is shown, not gated; a tolerance
 /// that no measurement answers is INCONCLUSIVE and says so.
 std::vector<reports::Finding> judge(const Scene& scene, const Timeline& timeline,

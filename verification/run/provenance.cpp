@@ -51,14 +51,14 @@ std::string instruction_set() {
 
 }  // namespace
 
-std::map<std::string, std::string> provenance(const Scene& scene, const meshes::Mesh& mesh) {
-  ContentHash input, grid;
-  input.add(scene.text);
+std::map<std::string, std::string> provenance(const std::string& input, const meshes::Mesh& mesh) {
+  ContentHash text, grid;
+  text.add(input);
   grid.add(mesh.nodes);
   grid.add(mesh.cells);
   const std::time_t now = std::time(nullptr);
   return {{"version", version::number},  {"git_hash", version::git_hash},
-          {"dirty", version::git_dirty}, {"input_hash", input.text()},
+          {"dirty", version::git_dirty}, {"input_hash", text.text()},
           {"mesh_hash", grid.text()},    {"compiler", version::compiler},
           {"isa", instruction_set()},    {"threads", "1"},
           {"cpu", processor()},          {"date", fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(now))}};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "meshes/mesh.h"
-#include "verification/scene/scene.h"
 
 #include <map>
 #include <string>
@@ -9,6 +8,7 @@
 namespace wetfront::verification {
 
 /// Where a result came from: git_hash, dirty, version, input_hash, mesh_hash, compiler, isa, threads, cpu, date.
-std::map<std::string, std::string> provenance(const Scene& scene, const meshes::Mesh& mesh);
+/// `input` is the text that defined the run (a scene file, a case name).
+std::map<std::string, std::string> provenance(const std::string& input, const meshes::Mesh& mesh);
 
 }  // namespace wetfront::verification

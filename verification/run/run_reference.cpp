@@ -24,7 +24,7 @@ RunResult run_reference(const Scene& scene, const std::filesystem::path& folder)
       "The reference's own error: its difference from the same on twice the cells with a tenth of the tolerance.";
   record.scene_path = scene.path.string();
   record.scene_text = scene.text;
-  record.provenance = provenance(scene, coarse.mesh);
+  record.provenance = provenance(scene.text, coarse.mesh);
   record.cpu_seconds = coarse.cpu_seconds + fine.cpu_seconds;
   Scene ungated = scene;  // the scene's tolerances are the candidate's; here the errors are only shown
   ungated.comparison.tolerances.clear();

@@ -50,7 +50,7 @@ reports::Record start_record(const Prepared& prepared) {
   record.scene_path = scene.path.string();
   record.scene_text = scene.text;
   record.plan_text = plan_text(mpm::plan(prepared.problem));
-  record.provenance = provenance(scene, prepared.problem.mesh);
+  record.provenance = provenance(scene.text, prepared.problem.mesh);
   record.tables.push_back(setup_table(scene, prepared.timeline));
   return record;
 }
