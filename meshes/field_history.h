@@ -23,10 +23,10 @@ struct PointCloud {
 struct Snapshot {
   double time = 0;  ///< s
   std::string stage;
-  std::vector<double> node_pressure;     ///< Pa, one per mesh node
-  std::vector<double> node_saturation;   ///< -, one per mesh node
-  std::vector<double> cell_pressure;     ///< Pa
-  std::vector<double> cell_saturation;   ///< -
+  std::vector<double> node_pressure;    ///< Pa, one per mesh node
+  std::vector<double> node_saturation;  ///< -, one per mesh node
+  std::vector<double> cell_pressure;    ///< Pa
+  std::vector<double> cell_saturation;  ///< -
   /// What the cell values are: averages over the cell, where a scheme carries those, or values at its centre.
   bool cells_hold_averages = false;
   PointCloud points;                     ///< empty where the solver has none

@@ -76,7 +76,7 @@ TEST_F(CommandLine, SeveralScenesShareAnIndex) {
 
 TEST_F(CommandLine, AMissedToleranceExitsWith1) {
   std::string scene = read(cases + "seed_column/scene_3e-5_smin0.87.toml");
-  scene += "\n[[tolerance]]\nquantity = \"saturation_linf\"\nvalue = \"1e-7 %\"\nreason = \"to be missed\"\n";
+  scene += "\n[[tolerance]]\nquantity = \"pressure_linf\"\nvalue = \"0.01 %\"\nreason = \"to be missed\"\n";
   write("missed.toml", scene);
   const Output output = wetfront("run missed.toml");
   EXPECT_EQ(output.code, 1) << output.text;

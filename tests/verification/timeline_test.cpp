@@ -29,7 +29,7 @@ TEST(Translate, BothSolversGetTheSameSoilInTheirOwnUnits) {
   const Scene scene = seed_scene("scene_3e-5");
   const Timeline line = timeline(scene);
   const auto mpm = to_mpm(scene, mpm_mesh(scene), line);
-  const auto reference = to_reference(scene, line, {50, 1e-6});
+  const auto reference = to_reference(scene, line, {50, 0, 1e-6});
   EXPECT_NEAR(reference.soils[0].saturated_conductivity, 2.943e-4, 1e-9);
   EXPECT_NEAR(mpm.soils[0].intrinsic_permeability, 3e-11, 1e-20);
   const auto& curve = std::get<fem_reference::VanGenuchten>(reference.soils[0].retention);
@@ -44,7 +44,7 @@ TEST(Timeline, ALedgerWithoutRainIsToldPerWidthOfTheGround) {
   Scene scene = seed_scene("scene_3e-5");
   scene.rains.clear();
   EXPECT_NEAR(ledger_area(scene, mpm_mesh(scene)), 0.03, 1e-12);
-  EXPECT_EQ(ledger_area(scene, reference_mesh(scene, 10)), 1);
+  EXPECT_EQ(ledger_area(scene, reference_mesh(scene, 10, 0)), 1);
 }
 
 TEST(Translate, AnExponentialPermeabilityKeepsAScaleOfItsOwn) {
@@ -56,7 +56,7 @@ TEST(Translate, AnExponentialPermeabilityKeepsAScaleOfItsOwn) {
     scene.soils[0].retention = retention;
     const auto mpm = to_mpm(scene, mpm_mesh(scene), line);
     EXPECT_EQ(std::get<mpm::ExponentialPermeability>(*mpm.soils[0].permeability).suction_scale, 3000);
-    const auto reference = to_reference(scene, line, {10, 1e-6});
+    const auto reference = to_reference(scene, line, {10, 0, 1e-6});
     EXPECT_NEAR(std::get<fem_reference::ExponentialConductivity>(reference.soils[0].conductivity).alpha, 9810 / 3000.0,
                 1e-12);
   }

@@ -18,6 +18,11 @@ TEST(Verdict, PassesOnlyIfTheReferencesErrorFitsToo) {
   EXPECT_EQ(verdict(1.2, 0.1, 1), Verdict::fail);
 }
 
+TEST(Verdict, AReferenceAsUncertainAsTheToleranceCannotCondemn) {
+  EXPECT_EQ(verdict(14, 11, 2), Verdict::inconclusive);
+  EXPECT_EQ(verdict(14, 1, 2), Verdict::fail);
+}
+
 TEST(Verdict, WhatIsNotANumberDoesNotPass) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(verdict(nan, 0, 1), Verdict::inconclusive);

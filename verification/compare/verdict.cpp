@@ -87,7 +87,7 @@ std::array<std::ptrdiff_t, 3> rank(const Finding& finding) {
 }  // namespace
 
 Verdict verdict(double error, double reference_bound, double tolerance) {
-  if (std::isnan(error) || !std::isfinite(reference_bound)) return Verdict::inconclusive;
+  if (std::isnan(error) || !(reference_bound <= tolerance)) return Verdict::inconclusive;
   if (error + reference_bound <= tolerance) return Verdict::pass;
   if (error - reference_bound > tolerance) return Verdict::fail;
   return Verdict::inconclusive;

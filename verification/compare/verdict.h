@@ -9,7 +9,8 @@
 namespace wetfront::verification {
 
 /// The rule of every gate: with error E, the reference's own uncertainty u and tolerance T,
-/// PASS if E + u <= T, FAIL if E - u > T, else INCONCLUSIVE (also when E or u is not a number).
+/// PASS if E + u <= T, FAIL if E - u > T, else INCONCLUSIVE: also when E or u is not a number, and when u > T, for a
+/// reference that uncertain cannot condemn (the difference of two runs understates a slowly converging error).
 reports::Verdict verdict(double error, double reference_bound, double tolerance);
 
 /// "PASS", "FAIL", "INCONCLUSIVE", or "no gate".

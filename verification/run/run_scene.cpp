@@ -78,7 +78,7 @@ Prepared prepare(const Scene& scene) {
 
 Solved solve_reference(const Prepared& prepared, bool finer) {
   const ReferenceSettings& settings = *prepared.scene.reference;
-  const Resolution resolution{settings.cells * (finer ? 2 : 1), settings.tolerance * (finer ? 0.1 : 1)};
+  const Resolution resolution{settings.cells, finer ? 1 : 0, settings.tolerance * (finer ? 0.1 : 1)};
   const ProgressLine line(finer ? "reference, twice as fine" : "reference");
   try {
     return {fem_reference::solve(to_reference(prepared.scene, prepared.timeline, resolution), show_progress), ""};

@@ -107,7 +107,7 @@ std::vector<Key> run_keys() {
 
     {"mpm", "points_per_cell", Takes::count, "", optional, "4", "material points per cell, a square number", "4", {"1", "25"}},
 
-    {"reference", "cells", Takes::count, "", optional, "320", "cells over the height of a column; other meshes are refined to at least this", "320", {"2", "100000"}},
+    {"reference", "cells", Takes::count, "", optional, "320", "cells over the height of a column or the thickness of a slope; a mesh file is halved until it has that many", "320", {"2", "100000"}},
     {"reference", "tolerance", Takes::quantity, "1", optional, "1e-6", "relative tolerance of the time integration", "1e-6", {"1e-12", "0.01"}},
     {"reference", "integrator", Takes::choice, "", optional, "bdf", "backward-euler is the cross-check", "bdf", {}, {"bdf", "backward-euler"}},
 

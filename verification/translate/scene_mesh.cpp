@@ -3,8 +3,11 @@
 #include "meshes/geo_script.h"
 #include "meshes/gmsh.h"
 #include "meshes/read_msh.h"
+#include "meshes/refine.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace wetfront::verification {
 namespace {
@@ -22,6 +25,17 @@ meshes::Mesh slope_mesh(const Slope& slope, int cells_over) {
   return meshes::generate(meshes::slope_script({slope.length, slope.thickness, slope.angle, along, cells_over}), 2);
 }
 
+/// A sparse direct solve per Newton step: beyond this a reference takes hours and all the memory.
+constexpr double most_cells = 150000;
+
+void require_affordable(const Scene& scene, double cells, const std::string& suggestion) {
+  if (cells <= most_cells) return;
+  const std::string place = scene.reference ? scene.reference->origin.text() : scene.path.string() + ":1:1";
+  throw std::runtime_error(place + ": the reference would have " + std::to_string(static_cast<long>(cells)) +
+                           " cells (it would run for hours; " + std::to_string(static_cast<long>(most_cells)) +
+                           " are allowed). Set [reference] cells to e.g. " + suggestion);
+}
+
 }  // namespace
 
 meshes::Mesh mpm_mesh(const Scene& scene) {
@@ -33,11 +47,22 @@ meshes::Mesh mpm_mesh(const Scene& scene) {
   return user_mesh(scene, std::get<MeshFile>(scene.geometry.shape));
 }
 
-meshes::Mesh reference_mesh(const Scene& scene, int cells) {
+meshes::Mesh reference_mesh(const Scene& scene, int cells, int halvings) {
+  const int finest = cells << halvings;
   if (const auto* column = std::get_if<Column>(&scene.geometry.shape))
-    return meshes::generate(meshes::line_column_script(column->height, cells), 1);
-  if (const auto* slope = std::get_if<Slope>(&scene.geometry.shape)) return slope_mesh(*slope, cells);
-  return user_mesh(scene, std::get<MeshFile>(scene.geometry.shape));
+    return meshes::generate(meshes::line_column_script(column->height, finest), 1);
+  if (const auto* slope = std::get_if<Slope>(&scene.geometry.shape)) {
+    require_affordable(scene, double(finest) * slope->cells_along * std::max(1, finest / slope->cells_over),
+                       std::to_string(2 * slope->cells_over) + ", twice the candidate's " +
+                           std::to_string(slope->cells_over) + " over the thickness");
+    return slope_mesh(*slope, finest);
+  }
+  meshes::Mesh mesh = user_mesh(scene, std::get<MeshFile>(scene.geometry.shape));
+  require_affordable(scene, std::max<double>(cells, mesh.cell_count()) * (1 << 2 * halvings), "the mesh's own number");
+  while (mesh.cell_count() < static_cast<std::size_t>(cells)) mesh = meshes::refined(mesh);
+  for (int i = 0; i < halvings; ++i) mesh = meshes::refined(mesh);
+  meshes::renumber_by_position(mesh);
+  return mesh;
 }
 
 }  // namespace wetfront::verification

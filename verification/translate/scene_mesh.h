@@ -8,7 +8,9 @@ namespace wetfront::verification {
 /// The background grid of the material point method: quadrilaterals; a column is a strip one cell wide.
 meshes::Mesh mpm_mesh(const Scene& scene);
 
-/// The mesh of the reference: a line for a column, `cells` over its height; quadrilaterals otherwise.
-meshes::Mesh reference_mesh(const Scene& scene, int cells);
+/// The mesh of the reference: a line for a column, `cells` over its height; quadrilaterals for a slope, `cells` over
+/// its thickness; the user's own mesh, halved until it has at least `cells` cells. Then every cell is halved `halvings`
+/// times more. Throws std::runtime_error when that makes more cells than a reference can be solved on.
+meshes::Mesh reference_mesh(const Scene& scene, int cells, int halvings);
 
 }  // namespace wetfront::verification

@@ -68,7 +68,7 @@ void add_boundaries(const Scene& scene, double unit_weight, fem_reference::Richa
 
 fem_reference::RichardsProblem to_reference(const Scene& scene, const Timeline& timeline, Resolution resolution) {
   fem_reference::RichardsProblem problem;
-  problem.mesh = reference_mesh(scene, resolution.cells);
+  problem.mesh = reference_mesh(scene, resolution.cells, resolution.halvings);
   const bool line = problem.mesh.dim == 1;
   const double g = gravity_magnitude(scene);
   for (int axis = 0; axis < 3; ++axis) problem.gravity_direction[axis] = scene.gravity[axis] / g;

@@ -8,7 +8,8 @@ namespace wetfront::verification {
 
 /// How finely the reference is computed.
 struct Resolution {
-  int cells;
+  int cells;     ///< as [reference] cells
+  int halvings;  ///< of every cell beyond that
   double tolerance;
 };
 
