@@ -36,6 +36,7 @@ int worse(int a, int b) {
 
 /// An error or tolerance as people write it: "0.083 %" or "0.0031 m".
 std::string amount(double value, const std::string& unit) {
+  if (std::isnan(value)) return "nothing to measure";
   if (unit == "1") return fmt::format("{:.3g} %", 100 * value);
   return fmt::format("{:.3g} {}", value, unit);
 }
