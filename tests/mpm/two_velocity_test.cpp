@@ -110,6 +110,21 @@ TEST(TwoVelocity, SurplusRainRunsOff) {
   EXPECT_NEAR(by_node, last.rain_asked, 1e-12);
 }
 
+/// A full column on a seepage face at its base drains there: both schemes agree on what leaves, and what leaves is what
+/// the storage loses. 5 %: the two hold the water of the uppermost cell differently while it empties.
+TEST(TwoVelocity, ASeepageFaceAtTheBaseDrainsAsInSeepage) {
+  Problem<2> problem = seed_column(20, 0.087, 0, 20);
+  problem.water_boundary = {RainSide{"base", {{0}, {0}}, "test:seepage face"}};
+  for (std::size_t i = 0; i < problem.mesh.node_count(); ++i) problem.initial_pressure[i] = -100;
+  for (std::size_t i = 0; i < problem.mesh.node_count(); ++i)
+    problem.initial_pressure[i] += std::max(0.0, 9810 * (1.0 - problem.mesh.nodes[i][1]));
+  const auto seepage = run(problem), drag = run(with_two_velocities(problem));
+  const double left = drag.ledger.back().outflow, width = problem.mesh.nodes[1][0] - problem.mesh.nodes[0][0];
+  EXPECT_GT(left, 0.5 * 2.943e-4 * width * 20);
+  EXPECT_NEAR(left, seepage.ledger.back().outflow, 0.05 * left);
+  EXPECT_NEAR(drag.ledger.back().stored - drag.ledger.front().stored, -left, 1e-9 * left);
+}
+
 /// Rain below k_s on a dry surface is taken in full: a capacity from the dry k_rel would send it away.
 TEST(TwoVelocity, DrySurfaceTakesModestRain) {
   const auto history = run(with_two_velocities(seed_column(20, 0.087, 1.5e-4, 5)));
