@@ -1,5 +1,6 @@
 #include "meshes/geo_script.h"
 #include "meshes/gmsh.h"
+#include "tests/meshes/total_measure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,12 +11,6 @@
 
 namespace wetfront::meshes {
 namespace {
-
-double total_measure(const Mesh& mesh) {
-  double sum = 0;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c) sum += mesh.cell_measure(c);
-  return sum;
-}
 
 TEST(Generate, LineColumnRunsFromBaseToTop) {
   const Mesh mesh = generate(line_column_script(1.2, 40), 1);

@@ -2,17 +2,12 @@
 
 #include "meshes/geo_script.h"
 #include "meshes/gmsh.h"
+#include "tests/meshes/total_measure.h"
 
 #include <gtest/gtest.h>
 
 namespace wetfront::meshes {
 namespace {
-
-double total_measure(const Mesh& mesh) {
-  double sum = 0;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c) sum += mesh.cell_measure(c);
-  return sum;
-}
 
 TEST(Refine, HalvesQuadrilateralsAndTheirSides) {
   const Mesh coarse = generate(slope_script({10, 1.2, 0.5, 5, 2}), 2), fine = refined(coarse);

@@ -3,6 +3,7 @@
 #include "meshes/evaluate.h"
 #include "verification/compare/balance.h"
 #include "verification/compare/profile.h"
+#include "verification/present/figure_frame.h"
 
 #include <fmt/format.h>
 
@@ -18,25 +19,6 @@ using reports::Series;
 
 constexpr double kPa = 1000;
 constexpr double mm = 1e-3;
-
-struct Heading {
-  std::string id, title, section;
-};
-struct Axis {
-  std::string label, unit;
-};
-
-Figure blank(const Heading& heading, const Axis& x, const Axis& y) {
-  Figure figure;
-  figure.id = heading.id;
-  figure.title = heading.title;
-  figure.section = heading.section;
-  figure.x_label = x.label;
-  figure.x_unit = x.unit;
-  figure.y_label = y.label;
-  figure.y_unit = y.unit;
-  return figure;
-}
 
 /// At most `most` entries of a long series, ends included: enough for a figure, small enough for a page.
 std::vector<std::size_t> thinned(std::size_t size, std::size_t most = 400) {
@@ -93,7 +75,7 @@ const std::vector<Field>& column_fields() {
 }
 
 Figure profile_figure(const Field& field) {
-  Figure figure = blank({field.id, field.title, "Profiles"}, {field.name, field.unit_name}, {"elevation", "m"});
+  Figure figure = figure_frame({field.id, field.title, "Profiles"}, {field.name, field.unit_name}, {"elevation", "m"});
   return figure;
 }
 
@@ -116,8 +98,9 @@ Figure profile(const Field& field, const Timeline& timeline, const Histories& hi
 }
 
 Figure error_profile(const Histories& histories, const Timeline& timeline) {
-  Figure figure = blank({"pressure_difference", "Pressure difference in the cells, MPM minus reference", "Profiles"},
-                        {"pressure difference", "kPa"}, {"elevation", "m"});
+  Figure figure =
+      figure_frame({"pressure_difference", "Pressure difference in the cells, MPM minus reference", "Profiles"},
+                   {"pressure difference", "kPa"}, {"elevation", "m"});
   const auto candidate = cell_profiles(histories.candidate);
   const auto reference = profiles_at_cells(histories.reference, histories.candidate);
   for (std::size_t t = 0; t < std::min(candidate.size(), reference.size()); ++t) {
@@ -154,8 +137,8 @@ void add_gauges(Figure& figure, const meshes::FieldHistory& history, const std::
 }
 
 Figure gauge_figure() {
-  Figure figure = blank({"pressure_at_probes", "Pore pressure at the probes", "Time series"}, {"time", "s"},
-                        {"pore pressure", "kPa"});
+  Figure figure = figure_frame({"pressure_at_probes", "Pore pressure at the probes", "Time series"}, {"time", "s"},
+                               {"pore pressure", "kPa"});
   return figure;
 }
 
@@ -173,8 +156,9 @@ Series ledger_series(const meshes::FieldHistory& history, double area, const std
 }
 
 Figure ledger_figure(const meshes::FieldHistory& history, double area, const std::string& who) {
-  Figure figure = blank({"water_ledger", "Water of the " + who + ": asked, imposed, run off, delivered", "Flux audit"},
-                        {"time", "s"}, {"water per area", "mm"});
+  Figure figure =
+      figure_frame({"water_ledger", "Water of the " + who + ": asked, imposed, run off, delivered", "Flux audit"},
+                   {"time", "s"}, {"water per area", "mm"});
   const double stored = history.ledger.front().stored;
   const auto add = [&](const std::string& label, const LedgerValue& value) {
     figure.series.push_back(ledger_series(history, area, label, value));
@@ -188,8 +172,8 @@ Figure ledger_figure(const meshes::FieldHistory& history, double area, const std
 }
 
 Figure infiltration_figure(const Histories& histories, double area, double reference_area) {
-  Figure figure = blank({"cumulative_infiltration", "Cumulative infiltration and outflow", "Flux audit"}, {"time", "s"},
-                        {"water per area", "mm"});
+  Figure figure = figure_frame({"cumulative_infiltration", "Cumulative infiltration and outflow", "Flux audit"},
+                               {"time", "s"}, {"water per area", "mm"});
   const auto infiltrated = [](const meshes::LedgerRow& row) { return row.infiltrated; };
   const auto outflow = [](const meshes::LedgerRow& row) { return row.outflow; };
   figure.series.push_back(ledger_series(histories.reference, reference_area, "reference, infiltrated", infiltrated));
@@ -214,7 +198,7 @@ Series step_series(const meshes::FieldHistory& history, const std::string& label
 }
 
 Figure step_figure() {
-  Figure figure = blank({"time_steps", "Time steps taken", "Cost"}, {"time", "s"}, {"step", "s"});
+  Figure figure = figure_frame({"time_steps", "Time steps taken", "Cost"}, {"time", "s"}, {"step", "s"});
   figure.log_y = true;
   return figure;
 }

@@ -2,6 +2,7 @@
 
 #include "verification/compare/balance.h"
 #include "verification/compare/verdict.h"
+#include "verification/present/figure_frame.h"
 #include "verification/present/tables.h"
 #include "verification/run/provenance.h"
 
@@ -77,11 +78,9 @@ void judge_order(reports::Record& record, const ClosedFormCase& test, const Rung
 }
 
 reports::Figure error_over_cells(const std::vector<Rung>& ladder) {
-  reports::Figure figure;
-  figure.id = "error_over_cells";
-  figure.title = "Worst relative L2 error over the number of cells per direction";
-  figure.section = "Convergence";
-  figure.x_label = "cells", figure.x_unit = "-", figure.y_label = "relative L2 error", figure.y_unit = "-";
+  reports::Figure figure = figure_frame(
+      {"error_over_cells", "Worst relative L2 error over the number of cells per direction", "Convergence"},
+      {"cells", "-"}, {"relative L2 error", "-"});
   figure.log_x = figure.log_y = true;
   reports::Series measured, second{"second order", reports::Series::Style::dashed, {}, {}, -1};
   measured.label = "reference, linear elements";
@@ -97,11 +96,9 @@ reports::Figure error_over_cells(const std::vector<Rung>& ladder) {
 
 /// Heads over elevation on the coarsest rung's vertical line of nodes nearest the middle.
 reports::Figure profiles(const ClosedFormCase& test, const Rung& rung) {
-  reports::Figure figure;
-  figure.id = "profiles";
-  figure.title = fmt::format("Pressure head over elevation, {} cells", rung.cells);
-  figure.section = "Profiles";
-  figure.x_label = "pressure head", figure.x_unit = "m", figure.y_label = "elevation", figure.y_unit = "m";
+  reports::Figure figure =
+      figure_frame({"profiles", fmt::format("Pressure head over elevation, {} cells", rung.cells), "Profiles"},
+                   {"pressure head", "m"}, {"elevation", "m"});
   const meshes::Mesh& mesh = rung.history.mesh;
   const int up = meshes::up_axis(mesh.dim);
   double widest = 0;

@@ -1,5 +1,6 @@
 #include "verification/suites/work_precision.h"
 
+#include "verification/present/figure_frame.h"
 #include "verification/run/provenance.h"
 
 #include <fmt/format.h>
@@ -36,11 +37,9 @@ reports::Record work_precision(const ClosedFormCase& test, int cells) {
   fem::RichardsProblem problem = test.problem(cells);
   problem.tolerance = 1e-9;
   const meshes::FieldHistory yardstick = fem::solve(problem);
-  reports::Figure figure;
-  figure.id = "work_precision";
-  figure.title = fmt::format("Error in time over CPU seconds, {} cells", cells);
-  figure.section = "Cost";
-  figure.x_label = "CPU", figure.x_unit = "s", figure.y_label = "rms error of the head", figure.y_unit = "m";
+  reports::Figure figure =
+      figure_frame({"work_precision", fmt::format("Error in time over CPU seconds, {} cells", cells), "Cost"},
+                   {"CPU", "s"}, {"rms error of the head", "m"});
   figure.log_x = figure.log_y = true;
   reports::Table table{"Work and precision",
                        "Cost",
