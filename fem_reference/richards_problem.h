@@ -5,6 +5,8 @@
 #include "meshes/rain_record.h"
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -90,6 +92,10 @@ struct Soil {
   double porosity = 0;            ///< n, so that S = theta / n; 0: theta_s, i.e. S_max = 1
   /// Shape of the conductivity tensor: K = Ks Kr(psi) T, T symmetric and positive definite, {xx, yy, zz, xy, yz, zx}.
   std::array<double, 6> anisotropy{1, 1, 1, 0, 0, 0};
+  /// Storage of an elastic skeleton under constant total stress: W gains the integral of S (chi + p dchi/dp) / E_oed
+  /// over the pore pressure p, chi Bishop's parameter. 0: rigid.
+  double oedometer_modulus = 0;  ///< E_oed [Pa]
+  enum class Bishop { saturation, effective_saturation } bishop = Bishop::saturation;
 };
 
 /// T of principal values: the first along x, the second (two dimensions) or third (three) along the elevation axis,
@@ -125,6 +131,8 @@ struct HeadSide {
   TimeRecord record{};   ///< the same in time, instead of `head`
   bool total = false;    ///< the head includes the elevation: hydrostatic along the side
   bool initial = false;  ///< psi stays what initial_head says, node by node, instead of `head`
+  /// psi at a place and a time [m, s], smooth in time, instead of `head`: for closed forms and manufactured solutions.
+  std::function<double(const meshes::Point&, double)> varying{};
 };
 /// A free water surface in front of the side: hydrostatic below it (psi = level - elevation, water passes both ways),
 /// rain or seepage face above. Rain on what is under water belongs to the water body.
@@ -153,13 +161,22 @@ struct Gauge {
 enum class Integrator {
   bdf,             ///< variable-order BDF of SUNDIALS IDAS on (W, psi), Newton stage kernel
   backward_euler,  ///< adaptive, on the same stage kernel: the cross-check
+  dirk,            ///< diagonally implicit Runge-Kutta of SUNDIALS ARKStep, stiffly accurate, same stage kernel
+};
+
+/// Mesh refinement towards wetting fronts (two and three dimensions; `mesh` is the coarsest mesh there is).
+struct Adaptivity {
+  int levels = 2;  ///< halvings of the cells of `mesh` at most; the record is on `mesh` halved that often
+  /// A cell is halved where the indicator (README) exceeds this water content [-], and joined below a fraction of it.
+  double threshold = 1e-3;
 };
 
 struct RichardsProblem {
-  meshes::Mesh mesh;                  ///< dim 1, 2 or 3
-  meshes::Point gravity_direction{};  ///< unit vector, e.g. {-1} in one dimension
-  double unit_weight = 9810;          ///< rho_l g [Pa/m]: turns psi into the pressures of the record
-  std::vector<Soil> soils;            ///< one per mesh region
+  meshes::Mesh mesh;                          ///< dim 1, 2 or 3
+  meshes::Point gravity_direction{};          ///< unit vector, e.g. {-1} in one dimension
+  double unit_weight = 9810;                  ///< rho_l g [Pa/m]: turns psi into the pressures of the record
+  std::vector<Soil> soils;                    ///< one per mesh region
+  std::vector<double> conductivity_factor{};  ///< per mesh cell, times its soil's Ks [-]; empty: 1
   std::vector<BoundaryCondition> boundary;
   std::vector<double> initial_head;  ///< psi at the mesh nodes [m]
   double end_time = 0;               ///< s
@@ -168,6 +185,9 @@ struct RichardsProblem {
   Integrator integrator = Integrator::bdf;
   double tolerance = 1e-6;  ///< relative tolerance of the integrator; absolute ones follow from it (README)
   int degree = 1;
+  std::optional<Adaptivity> adaptivity{};  ///< absent: the mesh stays
+  /// Water that comes up inside the soil [1/s] at a place and a time: for manufactured solutions.
+  std::function<double(const meshes::Point&, double)> source{};
 };
 
 /// The solver gave up; `partial` keeps everything computed until then and the message says where, when and why.
@@ -180,5 +200,9 @@ struct GaveUp : std::runtime_error {
 /// Solves the problem. Throws std::invalid_argument for a problem that makes no sense (which entry, why)
 /// and GaveUp when no step size lets the nonlinear solver converge.
 meshes::FieldHistory solve(const RichardsProblem& problem, meshes::Progress progress = nullptr);
+
+/// psi at the mesh nodes [m] of the steady state under what holds at t = 0 (records and `varying` at 0), started from
+/// initial_head; output times, end time and integrator do not matter. Throws as solve().
+std::vector<double> steady_head(const RichardsProblem& problem);
 
 }  // namespace wetfront::fem_reference

@@ -45,6 +45,17 @@ struct LedgerRow {
   double stored_points = std::numeric_limits<double>::quiet_NaN();  ///< the same, summed over points
 };
 
+/// The water that passed one side [as LedgerRow, cumulative], one value per row of the ledger.
+struct SideLedger {
+  std::string side;
+  std::string condition;           ///< "rain", "head", "free drainage", "flux", "water level", ...
+  std::vector<double> asked;       ///< rain (or inflow) that the record asked for
+  std::vector<double> run_off;     ///< refused
+  std::vector<double> outflow;     ///< left the soil, evaporation apart; negative: came in other than as rain
+  std::vector<double> evaporated;  ///< met demand
+  std::vector<double> demanded;    ///< demand
+};
+
 struct Gauge {
   std::string name;
   Point position{};
@@ -76,6 +87,7 @@ struct FieldHistory {
   /// The initial state first, then one row per accepted step; conditionally stable stages, whose steps are tiny, write
   /// rows at events and at even intervals between them.
   std::vector<LedgerRow> ledger;
+  std::vector<SideLedger> sides;  ///< one per condition of the scene that passes water; empty where a solver has none
   std::vector<Gauge> gauges;
   std::vector<NodeRain> rain_by_node;
   std::vector<KernelCost> cost;
