@@ -21,7 +21,7 @@ struct SideShare {
   int soil;
   double area;             ///< [1, m, m2]
   double horizontal_area;  ///< projected on the horizontal, positive where the outward normal points up, else negative
-  meshes::Point normal_area;  ///< integral of the outward normal
+  meshes::Point normal_area;  ///< integral of the outward normal, times the conductivity factor of the cell behind it
 };
 
 /// Where a place lies: the cell and the values of its shape functions there.
@@ -41,6 +41,7 @@ struct Discretisation {
   int points_per_cell = 0;              ///< Gauss points, (degree + 1)^dim
   std::vector<int> cell_dofs;           ///< [cell][local dof]
   std::vector<int> cell_soil;           ///< [cell]
+  std::vector<int> mesh_cell;           ///< [cell] -> cell of RichardsProblem::mesh that it is, or lies in
   std::vector<double> shape;            ///< [point][local dof], the same in every cell
   std::vector<double> gradient;         ///< [cell][point][local dof][axis], 1/m
   std::vector<double> weight;           ///< [cell][point], m^dim

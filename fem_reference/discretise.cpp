@@ -214,6 +214,7 @@ class Discretiser {
     for (const auto& cell : dofs_.active_cell_iterators()) {
       const int soil = cell->material_id();
       out_.cell_soil.push_back(soil);
+      out_.mesh_cell.push_back(static_cast<int>(cell->active_cell_index()));
       cell->get_dof_indices(local);
       for (auto dof : local) out_.cell_dofs.push_back(number_[dof]);
       values.reinit(cell);
@@ -281,7 +282,7 @@ class Discretiser {
         for (unsigned int f : cell->face_indices()) {
           if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != id) continue;
           values.reinit(cell, f);
-          add_face(values, f, local, cell->material_id(), shares);
+          add_face(values, f, local, cell->material_id(), conductivity_factor(cell), shares);
         }
       }
       out_.sides.emplace_back();
@@ -289,8 +290,13 @@ class Discretiser {
     }
   }
 
+  template <class Cell>
+  double conductivity_factor(const Cell& cell) const {
+    return problem_.conductivity_factor.empty() ? 1 : problem_.conductivity_factor[cell->active_cell_index()];
+  }
+
   void add_face(const dealii::FEFaceValues<dim>& values, unsigned int face,
-                const std::vector<dealii::types::global_dof_index>& local, int soil,
+                const std::vector<dealii::types::global_dof_index>& local, int soil, double factor,
                 std::map<std::pair<int, int>, SideShare>& shares) const {
     for (int a = 0; a < out_.dofs_per_cell; ++a) {
       if (!fe_.has_support_on_face(a, face)) continue;
@@ -301,7 +307,7 @@ class Discretiser {
         double up = 0;
         for (int axis = 0; axis < dim; ++axis) {
           up -= values.normal_vector(q)[axis] * problem_.gravity_direction[axis];
-          share.normal_area[axis] += area * values.normal_vector(q)[axis];
+          share.normal_area[axis] += factor * area * values.normal_vector(q)[axis];
         }
         share.area += area;
         share.horizontal_area += area * up;
