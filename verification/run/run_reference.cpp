@@ -10,7 +10,7 @@
 namespace wetfront::verification {
 
 RunResult run_reference(const Scene& scene, const std::filesystem::path& folder) {
-  const Prepared prepared = prepare(scene);
+  const Prepared prepared = prepare_reference(scene);
   reports::make_writable(folder);
   RunResult result;
   result.reference = solve_reference(prepared, false);

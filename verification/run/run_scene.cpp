@@ -70,8 +70,12 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
 
 }  // namespace
 
+Prepared prepare_reference(const Scene& scene) {
+  return {scene, timeline(scene), {}};
+}
+
 Prepared prepare(const Scene& scene) {
-  Prepared prepared{scene, timeline(scene), {}};
+  Prepared prepared = prepare_reference(scene);
   prepared.problem = to_mpm(scene, mpm_mesh(scene), prepared.timeline);
   return prepared;
 }

@@ -22,8 +22,11 @@ enum class Exit { pass = 0, fail = 1, bad_input = 2, gave_up = 3, inconclusive =
 struct Prepared {
   Scene scene;
   Timeline timeline;
-  mpm::Problem<2> problem;
+  mpm::Problem<2> problem;  ///< empty where only the reference is wanted
 };
+
+/// Without the material point method, which knows less than the reference does.
+Prepared prepare_reference(const Scene& scene);
 
 /// Meshes the scene and translates it for the material point method. Throws what is wrong with it.
 Prepared prepare(const Scene& scene);
