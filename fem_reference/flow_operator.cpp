@@ -53,7 +53,7 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
     const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
     const int soil = space_.cell_soil[cell];
     const SoilLaw& law = laws_[soil];
-    const double* shape = space_.shape.data();
+    const double* shape = space_.shape_of(cell);
     for (int q = 0; q < space_.points_per_cell; ++q, ++point, shape += n, gradient += n * dim) {
       double* drive = &drive_[point * dim];
       double psi = 0;
@@ -103,7 +103,7 @@ void FlowOperator::assemble(double tau, SparseMatrix& matrix) const {
   std::size_t point = 0;
   for (int cell = 0; cell < space_.cell_count; ++cell, entry += n * n) {
     const int soil = space_.cell_soil[cell];
-    const double* shape = space_.shape.data();
+    const double* shape = space_.shape_of(cell);
     for (int q = 0; q < space_.points_per_cell; ++q, ++point, shape += n, gradient += n * dim) {
       const double* drive = &drive_[point * dim];
       const double wk = tau * space_.weight[point] * conductivity_[point].value;

@@ -10,7 +10,7 @@ Recorder::Recorder(const RichardsProblem& problem, const FlowOperator& flow, con
   for (const Gauge& gauge : problem.gauges) history_.gauges.push_back({gauge.name, gauge.position, {}, {}, {}});
 }
 
-double Recorder::head_at(const State& state, int cell, const std::vector<double>& shape) const {
+double Recorder::head_at(const State& state, int cell, const double* shape) const {
   const int n = flow_.space().dofs_per_cell;
   double head = 0;
   for (int a = 0; a < n; ++a) {
@@ -41,7 +41,7 @@ void Recorder::record_step(const State& state) {
 
   for (std::size_t g = 0; g < history_.gauges.size(); ++g) {
     const Place& place = flow_.space().gauges[g];
-    const double head = head_at(state, place.cell, place.shape);
+    const double head = head_at(state, place.cell, place.shape.data());
     meshes::Gauge& gauge = history_.gauges[g];
     gauge.time.push_back(state.time);
     gauge.pressure.push_back(problem_.unit_weight * head);
@@ -66,7 +66,7 @@ void Recorder::record_snapshot(const State& state) {
     snapshot.node_saturation.push_back(water[dof] / pores[dof]);
   }
   for (int cell = 0; cell < space.cell_count; ++cell) {
-    const double head = head_at(state, cell, space.centre_shape);
+    const double head = head_at(state, cell, space.centre_shape_of(cell));
     snapshot.cell_pressure.push_back(problem_.unit_weight * head);
     snapshot.cell_saturation.push_back(flow_.laws()[space.cell_soil[cell]].saturation(head));
   }

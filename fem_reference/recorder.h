@@ -20,7 +20,7 @@ class Recorder {
  private:
   /// Demand of one held dof that was met so far [m^dim].
   double evaporated(const State& state, std::size_t h) const;
-  double head_at(const State& state, int cell, const std::vector<double>& shape) const;
+  double head_at(const State& state, int cell, const double* shape) const;
 
   const RichardsProblem& problem_;
   const FlowOperator& flow_;
