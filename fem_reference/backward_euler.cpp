@@ -13,6 +13,7 @@ class BackwardEuler : public TimeIntegrator {
   BackwardEuler(StageKernel& kernel, Tolerances tolerances) : kernel_(kernel), tolerances_(tolerances) {}
 
   void start(const State& state) override {
+    kernel_.set_time(state.time);
     water_rate_ = kernel_.rates(state.head);
     head_rate_ = head_rates(kernel_.flow(), water_rate_);
     last_step_ = 0;

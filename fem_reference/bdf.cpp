@@ -42,6 +42,7 @@ class Bdf : public TimeIntegrator {
   Bdf& operator=(const Bdf&) = delete;
 
   void start(const State& state) override {
+    kernel_.set_time(state.time);
     const std::vector<double> water_rates = kernel_.rates(state.head);
     const std::vector<double> rates = head_rates(kernel_.flow(), water_rates);
     std::copy(state.water.begin(), state.water.end(), view(y_).begin());

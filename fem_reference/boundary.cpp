@@ -15,6 +15,11 @@ const TimeRecord* moving_record(const BoundaryCondition& condition) {
   return nullptr;
 }
 
+const HeadSide* varying_head(const BoundaryCondition& condition) {
+  const auto* head = std::get_if<HeadSide>(&condition);
+  return head != nullptr && head->varying ? head : nullptr;
+}
+
 double intensity(const meshes::RainRecord& record, double time) {
   return record.start.empty() ? 0 : meshes::intensity_after(record, time);
 }
@@ -44,7 +49,7 @@ double minimum_head(const BoundaryCondition& condition) {
 }  // namespace
 
 Boundary::Boundary(const RichardsProblem& problem, const Discretisation& space)
-    : problem_(problem), index_(space.dof_count, -1), piece_(problem.boundary.size()) {
+    : problem_(problem), space_(space), index_(space.dof_count, -1), piece_(problem.boundary.size()) {
   for (int c = 0; c < condition_count(); ++c) {
     const BoundaryCondition& condition = problem.boundary[c];
     for (const SideShare& share : space.sides[c]) {
@@ -62,8 +67,9 @@ Boundary::Boundary(const RichardsProblem& problem, const Discretisation& space)
   std::sort(held_.begin(), held_.end(), [](const HeldDof& a, const HeldDof& b) { return a.dof < b.dof; });
   for (std::size_t h = 0; h < held_.size(); ++h) {
     const bool fixed = held_[h].kind == HeldDof::Kind::head;
-    if (moving_record(problem.boundary[held_[h].condition]) != nullptr) moving_.push_back(static_cast<int>(h));
-    if (fixed && std::holds_alternative<HeadSide>(problem.boundary[held_[h].condition])) held_[h].catchment.clear();
+    const BoundaryCondition& owner = problem.boundary[held_[h].condition];
+    if (moving_record(owner) != nullptr || varying_head(owner) != nullptr) moving_.push_back(static_cast<int>(h));
+    if (fixed && std::holds_alternative<HeadSide>(owner)) held_[h].catchment.clear();
   }
   find_breaks();
 }
@@ -197,10 +203,25 @@ void Boundary::set_stage_time(double time) {
   for (int h : moving_) {
     HeldDof& held = held_[h];
     if (held.kind != HeldDof::Kind::head) continue;
+    if (varying_head(problem_.boundary[held.condition]) != nullptr) {
+      follow_function(held, time);
+      continue;
+    }
     const Piece& piece = piece_[held.condition];
     held.head = piece.value + piece.slope * (time - piece.time) - held.offset;
     held.head_rate = piece.slope;
   }
+}
+
+// The rate only starts the integrator, so a difference will do: one-sided at t = 0, before which nothing is defined.
+void Boundary::follow_function(HeldDof& held, double time) const {
+  const auto& head = varying_head(problem_.boundary[held.condition])->varying;
+  const meshes::Point& place = space_.position[held.dof];
+  const double step = 1e-5 * problem_.end_time;
+  held.head = head(place, time);
+  held.head_rate = time < step
+                       ? (4 * head(place, time + step) - 3 * held.head - head(place, time + 2 * step)) / (2 * step)
+                       : (head(place, time + step) - head(place, time - step)) / (2 * step);
 }
 
 const std::string& Boundary::side_name(int condition) const {

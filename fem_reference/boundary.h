@@ -58,6 +58,7 @@ class Boundary {
   /// Times in (0, end_time) at which a record changes or a water level passes a node, ascending, each once [s].
   const std::vector<double>& breaks() const { return breaks_; }
   bool has_demand() const { return has_demand_; }
+  /// Some heads follow a record or a function of time.
   bool heads_move() const { return !moving_.empty(); }
 
  private:
@@ -68,11 +69,13 @@ class Boundary {
   HeldDof& entry(int dof, int condition);
   void find_breaks();
   double middle_after(double time) const;
+  void follow_function(HeldDof& held, double time) const;
 
   const RichardsProblem& problem_;
+  const Discretisation& space_;
   std::vector<HeldDof> held_;
   std::vector<int> index_;   ///< [dof] -> held or -1
-  std::vector<int> moving_;  ///< held dofs whose head has a record
+  std::vector<int> moving_;  ///< held dofs whose head has a record or varies
   std::vector<Drain> drains_;
   std::vector<double> breaks_;
   /// The piece of a condition's record that holds now: value + slope (t - time).

@@ -3,13 +3,19 @@
 #include "fem_reference/tensor.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace wetfront::fem_reference {
 
 FlowOperator::FlowOperator(const RichardsProblem& problem, const Discretisation& space, const Boundary& boundary)
-    : space_(space), boundary_(boundary), gravity_(problem.gravity_direction) {
+    : space_(space),
+      boundary_(boundary),
+      gravity_(problem.gravity_direction),
+      source_function_(problem.source),
+      factor_(problem.conductivity_factor) {
   for (const Soil& soil : problem.soils) {
-    laws_.emplace_back(soil);
+    laws_.emplace_back(soil, problem.unit_weight);
     anisotropy_.push_back(soil.anisotropy);
     isotropic_.push_back(soil.anisotropy == isotropic);
   }
@@ -19,17 +25,31 @@ FlowOperator::FlowOperator(const RichardsProblem& problem, const Discretisation&
   water_.resize(space.dof_count);
   capacity_.resize(space.dof_count);
   inflow_.resize(space.dof_count);
+  passing_.resize(space.dof_count);
   drainage_slope_.resize(space.dof_count);
   drained_.resize(boundary.condition_count());
   drive_.resize(points * space.dim);
   conductivity_.resize(points);
   make_pattern();
+  set_time(0);
+}
+
+void FlowOperator::set_time(double time) {
+  if (!has_source()) return;
+  source_.resize(space_.dof_count);
+  for (int i = 0; i < space_.dof_count; ++i) source_[i] = volume_[i] * source_function_(space_.position[i], time);
+}
+
+double FlowOperator::source_total() const {
+  return std::accumulate(source_.begin(), source_.end(), 0.0);
 }
 
 void FlowOperator::evaluate(std::span<const double> head) {
   const CostTimer timer(evaluation_cost);
   evaluate_storage(head);
   std::fill(inflow_.begin(), inflow_.end(), 0.0);
+  std::copy(source_.begin(), source_.end(), inflow_.begin());
+  std::fill(passing_.begin(), passing_.end(), 0.0);
   evaluate_flow(head);
   evaluate_drainage(head);
 }
@@ -53,6 +73,7 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
     const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
     const int soil = space_.cell_soil[cell];
     const SoilLaw& law = laws_[soil];
+    const double factor = factor_.empty() ? 1 : factor_[space_.mesh_cell[cell]];
     const double* shape = space_.shape_of(cell);
     for (int q = 0; q < space_.points_per_cell; ++q, ++point, shape += n, gradient += n * dim) {
       double* drive = &drive_[point * dim];
@@ -64,12 +85,14 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
         for (int axis = 0; axis < dim; ++axis) drive[axis] += gradient[a * dim + axis] * value;
       }
       if (!isotropic_[soil]) turn(soil, drive);
-      conductivity_[point] = law.conductivity(psi);
+      const ValueAndSlope k = law.conductivity(psi);
+      conductivity_[point] = {factor * k.value, factor * k.slope};
       const double wk = space_.weight[point] * conductivity_[point].value;
       for (int a = 0; a < n; ++a) {
         double along = 0;
         for (int axis = 0; axis < dim; ++axis) along += gradient[a * dim + axis] * drive[axis];
         inflow_[dof[a]] -= wk * along;
+        passing_[dof[a]] += std::abs(wk * along);
       }
     }
   }

@@ -12,7 +12,7 @@
 namespace wetfront::fem_reference {
 
 /// The discrete Richards operator (README, Eq 3):
-///   m_i dW_i/dt = R_i(psi),  R_i = - sum_q w_q K(psi_h) grad N_i . T (grad psi_h - g) - drainage_i,
+///   m_i dW_i/dt = R_i(psi),  R_i = - sum_q w_q K(psi_h) grad N_i . T (grad psi_h - g) - drainage_i + m_i f(x_i, t),
 /// with g the unit vector of gravity, psi_h at the Gauss points, m and the boundary lumped. All in m^dim/s.
 class FlowOperator {
  public:
@@ -20,7 +20,14 @@ class FlowOperator {
 
   /// Evaluates R, W and their derivatives' ingredients at psi [dof]; the results stay until the next call.
   void evaluate(std::span<const double> head);
-  const std::vector<double>& inflow() const { return inflow_; }      ///< R_i [m^dim/s]
+  /// Takes the water that comes up inside the soil at `time` [s]; evaluate() then counts it in R.
+  void set_time(double time);
+  bool has_source() const { return static_cast<bool>(source_function_); }
+  /// Water that comes up inside the soil at the time last set [m^dim/s].
+  double source_total() const;
+  const std::vector<double>& inflow() const { return inflow_; }  ///< R_i [m^dim/s]
+  /// Sum of the sizes of what R_i is the sum of [m^dim/s]: its rounding error is some epsilon of that.
+  const std::vector<double>& passing() const { return passing_; }
   const std::vector<double>& water() const { return water_; }        ///< W_i [-], soils averaged by volume
   const std::vector<double>& capacity() const { return capacity_; }  ///< dW_i/dpsi [1/m]
   const std::vector<double>& volume() const { return volume_; }      ///< m_i [m^dim]
@@ -54,7 +61,10 @@ class FlowOperator {
   std::array<double, 3> gravity_;
   std::vector<char> isotropic_;                    ///< per soil
   std::vector<std::array<double, 6>> anisotropy_;  ///< T per soil
-  std::vector<double> volume_, water_, capacity_, inflow_, drained_, drainage_slope_;
+  std::vector<double> volume_, water_, capacity_, inflow_, passing_, drained_, drainage_slope_;
+  std::function<double(const meshes::Point&, double)> source_function_;
+  std::vector<double> source_;               ///< m_i f(x_i, t); empty without a source
+  std::vector<double> factor_;               ///< per mesh cell, times Ks; empty: 1
   std::vector<double> drive_;                ///< T (grad psi - g), [cell][point][axis]
   std::vector<ValueAndSlope> conductivity_;  ///< [cell][point]
   SparseMatrix pattern_;

@@ -1,5 +1,7 @@
 #include "fem_reference/problem_checks.h"
 
+#include "fem_reference/soil_law.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -120,6 +122,8 @@ void check_soils(const RichardsProblem& problem) {
     check_conductivity(soil, where);
     require(std::isfinite(soil.specific_storage) && soil.specific_storage >= 0, where,
             ".specific_storage: ", soil.specific_storage, " (must not be negative)");
+    require(std::isfinite(soil.oedometer_modulus) && soil.oedometer_modulus >= 0, where,
+            ".oedometer_modulus: ", soil.oedometer_modulus, " (must not be negative, in Pa; 0 is a rigid skeleton)");
     const auto& [xx, yy, zz, xy, yz, zx] = soil.anisotropy;
     const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * zx) + zx * (xy * yz - yy * zx);
     require(xx > 0 && xx * yy > xy * xy && determinant > 0 && std::isfinite(determinant), where,
@@ -160,6 +164,8 @@ void check_condition(const FluxSide& flux, const std::string& where) {
 void check_condition(const HeadSide& head, const std::string& where) {
   require(std::isfinite(head.head), where, ".head: not a number");
   check_record(head.record, where + ".record");
+  require(!head.varying || (head.record.time.empty() && !head.total && !head.initial), where,
+          ".varying: says the head itself, so there is neither a record, a total head nor an initial one");
   require(!head.initial || (head.record.time.empty() && !head.total), where,
           ".initial: keeps the initial heads, so there is neither a record nor a total head");
 }
@@ -204,6 +210,50 @@ void check_times(const RichardsProblem& problem) {
   }
 }
 
+void check_conductivity_factor(const RichardsProblem& problem) {
+  const std::vector<double>& factor = problem.conductivity_factor;
+  require(factor.empty() || factor.size() == problem.mesh.cell_count(), "conductivity_factor: ", factor.size(),
+          " values (the mesh has ", problem.mesh.cell_count(), " cells)");
+  for (std::size_t c = 0; c < factor.size(); ++c) {
+    require(positive(factor[c]), entry("conductivity_factor", c), ": ", factor[c], " (must be positive)");
+  }
+}
+
+/// The driest head that the problem speaks of [m].
+double driest_head(const RichardsProblem& problem) {
+  double driest = *std::min_element(problem.initial_head.begin(), problem.initial_head.end());
+  const auto demands = [](const meshes::RainRecord& record, double sign) {
+    return std::any_of(record.intensity.begin(), record.intensity.end(), [&](double q) { return sign * q > 0; });
+  };
+  for (const BoundaryCondition& condition : problem.boundary) {
+    if (const auto* head = std::get_if<HeadSide>(&condition)) {
+      if (!head->total && head->record.time.empty()) driest = std::min(driest, head->head);
+      for (double h : head->record.value) driest = std::min(driest, head->total ? driest : h);
+    }
+    if (const auto* rain = std::get_if<RainSide>(&condition); rain != nullptr && demands(rain->evaporation, 1)) {
+      driest = std::min(driest, rain->minimum_head);
+    }
+    if (const auto* flux = std::get_if<FluxSide>(&condition); flux != nullptr && demands(flux->inflow, -1)) {
+      driest = std::min(driest, flux->minimum_head);
+    }
+  }
+  return driest;
+}
+
+/// Under an elastic skeleton W must rise with the head wherever the heads of the problem go.
+void check_skeleton(const RichardsProblem& problem) {
+  for (std::size_t s = 0; s < problem.soils.size(); ++s) {
+    const Soil& soil = problem.soils[s];
+    if (soil.oedometer_modulus == 0) continue;
+    const double limit = SoilLaw(soil, problem.unit_weight).skeleton_limit(), driest = driest_head(problem);
+    require(limit < driest, entry("soils", s), " '", soil.name, "'.oedometer_modulus: ", soil.oedometer_modulus,
+            " Pa: below a head of ", limit,
+            " m this skeleton gives off more water than the pores take up as the soil"
+            " wets (chi + p dchi/dp is negative there), and the problem's driest head is ",
+            driest, " m");
+  }
+}
+
 void check_gravity(const RichardsProblem& problem) {
   double square = 0;
   for (int axis = 0; axis < problem.mesh.dim; ++axis) {
@@ -230,6 +280,8 @@ void check_problem(const RichardsProblem& problem) {
   for (std::size_t i = 0; i < problem.initial_head.size(); ++i) {
     require(std::isfinite(problem.initial_head[i]), entry("initial_head", i), ": not a number");
   }
+  check_conductivity_factor(problem);
+  check_skeleton(problem);
   require(problem.tolerance > 0 && problem.tolerance <= 0.1, "tolerance: ", problem.tolerance,
           " (must lie in (0, 0.1])");
   require(problem.degree >= 1 && problem.degree <= 4, "degree: ", problem.degree, " (1 to 4)");

@@ -37,6 +37,7 @@ void Recorder::record_step(const State& state) {
   }
   row.infiltrated = row.rain_asked - row.run_off;
   for (int c = 0; c < boundary_.condition_count(); ++c) row.outflow += state.totals[held.size() + c];
+  if (flow_.has_source()) row.outflow -= state.totals.back();  // water that came in other than as rain
   history_.ledger.push_back(row);
 
   for (std::size_t g = 0; g < history_.gauges.size(); ++g) {
@@ -91,6 +92,7 @@ meshes::FieldHistory Recorder::finish(const State& state, const StageKernel& ker
   for (int c = 0; c < boundary_.condition_count(); ++c) {
     history_.counters["outflow through " + boundary_.side_name(c)] = state.totals[held.size() + c];
   }
+  if (flow_.has_source()) history_.counters["source"] = state.totals.back();
   for (std::size_t h = 0; h < held.size() && boundary_.has_demand(); ++h) {
     const std::string& side = boundary_.side_name(held[h].condition);
     history_.counters["evaporated through " + side] += evaporated(state, h);

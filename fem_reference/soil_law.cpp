@@ -1,6 +1,7 @@
 #include "fem_reference/soil_law.h"
 
 #include <cmath>
+#include <limits>
 
 namespace wetfront::fem_reference {
 namespace {
@@ -12,7 +13,7 @@ struct Overloaded : F... {
 
 }  // namespace
 
-SoilLaw::SoilLaw(const Soil& soil) : soil_(soil), conductivity_scale_(soil.saturated_conductivity) {
+SoilLaw::SoilLaw(const Soil& soil, double unit_weight) : soil_(soil), conductivity_scale_(soil.saturated_conductivity) {
   std::visit(Overloaded{[&](const TabulatedRetention& table) {
                           theta_r_ = table.content.front();
                           theta_s_ = table.content.back();
@@ -43,6 +44,26 @@ SoilLaw::SoilLaw(const Soil& soil) : soil_(soil), conductivity_scale_(soil.satur
     for (double k : table->relative) logarithm.push_back(std::log(k));
     log_conductivity_table_ = MonotoneCubic(table->head, logarithm);
   }
+  if (soil.oedometer_modulus > 0) {
+    skeleton_.emplace(
+        -air_entry_, [&](double head) { return skeleton_rate(head, unit_weight); },
+        [&](double head) { return water_content(head).slope; });
+  }
+}
+
+double SoilLaw::skeleton_rate(double head, double unit_weight) const {
+  const ValueAndSlope theta = water_content(head);
+  const bool effective = soil_.bishop == Soil::Bishop::effective_saturation;
+  const double dry = effective ? theta_r_ : 0, range = effective ? theta_s_ - theta_r_ : porosity_;
+  const double chi = (theta.value - dry) / range, chi_slope = theta.slope / range;
+  return theta.value / porosity_ * (chi + head * chi_slope) * unit_weight / soil_.oedometer_modulus;
+}
+
+double SoilLaw::skeleton_limit() const {
+  if (!skeleton_ || skeleton_->limit() <= SkeletonStorage::driest_head) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  return skeleton_->limit();
 }
 
 ValueAndSlope SoilLaw::water_content(double head) const {
@@ -60,6 +81,11 @@ ValueAndSlope SoilLaw::storage(double head) const {
   if (head > -air_entry_) {
     theta.value += soil_.specific_storage * (head + air_entry_);
     theta.slope += soil_.specific_storage;
+  }
+  if (skeleton_) {
+    const ValueAndSlope more = (*skeleton_)(head);
+    theta.value += more.value;
+    theta.slope += more.slope;
   }
   return theta;
 }

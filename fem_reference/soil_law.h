@@ -1,19 +1,23 @@
 #pragma once
 
 #include "fem_reference/monotone_cubic.h"
+#include "fem_reference/skeleton_storage.h"
 #include "fem_reference/soil_curves.h"
+
+#include <optional>
 
 namespace wetfront::fem_reference {
 
 /// theta(psi), W(psi) and K(psi) of one soil with analytic derivatives. psi [m], negative where unsaturated.
 class SoilLaw {
  public:
-  explicit SoilLaw(const Soil& soil);
+  /// `unit_weight` of the water [Pa/m] turns heads into the pressures that an elastic skeleton feels.
+  explicit SoilLaw(const Soil& soil, double unit_weight = 9810);
 
   /// Volumetric water content theta [-] and dtheta/dpsi [1/m]; theta_s for psi >= -air_entry().
   ValueAndSlope water_content(double head) const;
-  /// What is conserved: W = theta + sigma max(psi + air_entry, 0) [-]. One monotone function on the dry and the wet
-  /// side.
+  /// What is conserved: W = theta + sigma max(psi + air_entry, 0) [-], and what an elastic skeleton takes up. One
+  /// monotone function on the dry and the wet side.
   ValueAndSlope storage(double head) const;
   /// K [m/s] and dK/dpsi [1/s]; Ks where saturated.
   ValueAndSlope conductivity(double head) const;
@@ -22,9 +26,13 @@ class SoilLaw {
   double porosity() const { return porosity_; }
   /// Suction up to which the soil stays full [m].
   double air_entry() const { return air_entry_; }
+  /// Below this head an elastic skeleton would make W fall with rising head [m]; -infinity for a rigid one.
+  double skeleton_limit() const;
 
  private:
   ValueAndSlope relative_conductivity(double head) const;
+  /// S (chi + p dchi/dp) / E_oed per m of head [1/m].
+  double skeleton_rate(double head, double unit_weight) const;
 
   Soil soil_;
   double theta_r_ = 0, theta_s_ = 0, porosity_ = 0;
@@ -33,6 +41,7 @@ class SoilLaw {
   double content_scale_ = 1;       ///< (theta_s - theta_r) / Se(-air_entry) of a law with a cut-off
   double conductivity_scale_ = 1;  ///< Ks / Kr(-air_entry) of a law with a cut-off [m/s]
   MonotoneCubic content_table_, log_conductivity_table_;
+  std::optional<SkeletonStorage> skeleton_;
 };
 
 }  // namespace wetfront::fem_reference

@@ -173,7 +173,7 @@ bool StageKernel::newton_step(double tau, std::span<double> head) {
   flow_.assemble(tau, matrix_);
   constexpr double eps = std::numeric_limits<double>::epsilon();
   for (int i = 0; i < matrix_.size(); ++i) {
-    double scale = 0;
+    double scale = tau * flow_.passing()[i];
     for (int k = matrix_.row_start[i]; k < matrix_.row_start[i + 1]; ++k) {
       scale += std::abs(matrix_.value[k] * head[matrix_.column[k]]);
     }
@@ -282,6 +282,7 @@ void StageKernel::ledger_rates(std::span<double> rates) const {
     rates[held_count + held.condition] += released;
   }
   for (std::size_t c = 0; c < conditions; ++c) rates[held_count + c] += flow_.drained()[c];
+  if (flow_.has_source()) rates.back() = flow_.source_total();
 }
 
 }  // namespace wetfront::fem_reference

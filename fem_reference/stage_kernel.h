@@ -27,8 +27,11 @@ class StageKernel {
   /// `newton_tolerance`: residual of a row as a water content [-].
   StageKernel(FlowOperator& flow, Boundary& boundary, double newton_tolerance);
 
-  /// Moves given heads to the time of the stage.
-  void set_time(double time) { boundary_.set_stage_time(time); }
+  /// Moves given heads and sources to the time of the stage.
+  void set_time(double time) {
+    boundary_.set_stage_time(time);
+    flow_.set_time(time);
+  }
   /// `head` [dof, m] is the guess and becomes the solution; false when Newton did not converge (see failure()).
   bool solve(std::span<const double> target, double tau, std::span<double> head);
 
@@ -41,10 +44,11 @@ class StageKernel {
   /// Water released at the held dofs in the last solve() or rates() [m^dim/s], as Boundary::held().
   const std::vector<double>& released() const { return released_; }
   /// What the ledger integrates: run-off per held dof, then outflow per condition, then, where anything demands water,
-  /// the unmet demand per held dof [m^dim/s].
+  /// the unmet demand per held dof, and last, where the problem has a source, its total [m^dim/s].
   void ledger_rates(std::span<double> rates) const;
   std::size_t ledger_size() const {
-    return boundary_.held().size() * (boundary_.has_demand() ? 2 : 1) + boundary_.condition_count();
+    return boundary_.held().size() * (boundary_.has_demand() ? 2 : 1) + boundary_.condition_count() +
+           (flow_.has_source() ? 1 : 0);
   }
 
   /// How far psi at a dof may be off [m] although W is right to the Newton tolerance: that tolerance over the capacity

@@ -30,6 +30,17 @@ TEST(ProblemChecks, NameTheEntry) {
   expect_refused([](auto& p) { std::get<VanGenuchten>(p.soils[0].retention).theta_r = 0.5; }, "retention.theta_s");
   expect_refused([](auto& p) { p.soils[0].porosity = 0.3; }, "porosity");
   expect_refused([](auto& p) { p.soils[0].specific_storage = -1; }, "specific_storage");
+  expect_refused([](auto& p) { p.soils[0].oedometer_modulus = -1; }, "oedometer_modulus");
+  expect_refused([](auto& p) { p.conductivity_factor = {1, 2}; }, "conductivity_factor: 2 values");
+  expect_refused([](auto& p) { p.conductivity_factor.assign(10, 0.0); }, "conductivity_factor[0]");
+  expect_refused(
+      [](auto& p) {
+        HeadSide base{"base", 0};
+        base.total = true;
+        base.varying = [](const meshes::Point&, double) { return -1.0; };
+        p.boundary.push_back(base);
+      },
+      "boundary[1] 'base'.varying");
   expect_refused([](auto& p) { p.soils[0].retention = ExponentialRetention{0.1, 0.4, 1}; }, "conductivity");
   expect_refused([](auto& p) { p.soils[0].retention = HaverkampRetention{0.1, 0.4, 0, 4}; }, "retention.a");
   expect_refused([](auto& p) { p.soils[0].retention = BroadbridgeWhiteRetention{0.1, 0.4, 1, 4}; }, "retention.c");
