@@ -117,7 +117,7 @@ void Boundary::add_catchment(const SideShare& share, int condition, double area)
       return;
     }
   }
-  held.catchment.push_back({condition, area});
+  held.catchment.push_back({condition, area, 0, 0});
 }
 
 void Boundary::find_breaks() {
@@ -188,12 +188,14 @@ void Boundary::set_time(double time) {
       held.kind = under_water ? HeldDof::Kind::head : HeldDof::Kind::rain;
       held.head = held.head_rate = 0;
     }
-    if (held.kind == HeldDof::Kind::head) continue;
-    for (const auto& [condition, area] : held.catchment) {
-      const Exchange now = exchange(problem_.boundary[condition], time);
-      held.rain += area * now.offered;
-      held.demand += area * now.demanded;
-      if (now.demanded > 0) held.lowest = std::max(held.lowest, minimum_head(problem_.boundary[condition]));
+    for (HeldDof::Catchment& catchment : held.catchment) {
+      const BoundaryCondition& condition = problem_.boundary[catchment.condition];
+      const Exchange now = held.kind == HeldDof::Kind::head ? Exchange{} : exchange(condition, time);
+      catchment.rain = catchment.area * now.offered;
+      catchment.demand = catchment.area * now.demanded;
+      held.rain += catchment.rain;
+      held.demand += catchment.demand;
+      if (now.demanded > 0) held.lowest = std::max(held.lowest, minimum_head(condition));
     }
   }
   set_stage_time(time);

@@ -23,7 +23,8 @@ struct HeldDof {
   /// Share of each condition that brings or takes water: a corner may see two sides.
   struct Catchment {
     int condition;
-    double area;  ///< horizontal area; of a FluxSide area
+    double area;                  ///< horizontal area; of a FluxSide area
+    double rain = 0, demand = 0;  ///< its part of `rain` and `demand` of the dof [m^dim/s]
   };
   std::vector<Catchment> catchment;
   double offset = 0;                          ///< elevation to subtract from the record of `condition` [m]

@@ -66,6 +66,7 @@ struct Discretisation {
   std::vector<double> weight;           ///< [cell][point], m^dim
   std::vector<meshes::Point> position;  ///< [dof]
   std::vector<int> node_dof;            ///< mesh node -> dof
+  std::vector<int> mesh_corner;         ///< [mesh cell][corner, deal.II's order] -> mesh node
   std::vector<StorageShare> storage;
   std::vector<std::vector<SideShare>> sides;  ///< per boundary condition of the problem
   std::vector<Place> gauges;                  ///< per gauge of the problem

@@ -25,6 +25,7 @@ class SpaceFiller {
     unknowns_.weight.assign(nodes_.size() * nodes_.size(), 0);  // pattern 0: nothing hangs
     for (std::size_t a = 0; a < nodes_.size(); ++a) unknowns_.weight[a * nodes_.size() + a] = 1;
     pattern_of(unknowns_.weight);
+    fill_mesh_corners();
     fill_cells();
     fill_sides();
     for (const Gauge& gauge : problem_.gauges) out_.gauges.push_back(locate(gauge));
@@ -36,6 +37,14 @@ class SpaceFiller {
   void visit(const Cell& cell) {
     cell->get_dof_indices(nodes_);
     numbering_.unknowns(nodes_, unknowns_);
+  }
+
+  void fill_mesh_corners() {
+    out_.mesh_corner.resize(problem_.mesh.cell_count() * out_.corners());
+    for (const auto& cell : dofs_.get_triangulation().cell_iterators_on_level(0)) {
+      const std::size_t first = cell->id().get_coarse_cell_id() * out_.corners();
+      for (const unsigned int v : cell->vertex_indices()) out_.mesh_corner[first + v] = cell->vertex_index(v);
+    }
   }
 
   void fill_cells() {

@@ -1,57 +1,39 @@
-#include "fem_reference/integrator.h"
+#include "fem_reference/indicator.h"
 #include "fem_reference/problem_checks.h"
 #include "fem_reference/recorder.h"
+#include "fem_reference/system.h"
+#include "fem_reference/transfer.h"
 
 #include <algorithm>
-#include <set>
+#include <limits>
 #include <sstream>
 
 namespace wetfront::fem_reference {
 namespace {
 
-/// In a saturated row W changes by sigma dpsi only, so Newton must leave less than sigma atol_psi there, or the
-/// integrator's error test sees nothing but Newton's noise (reference.md: 141,618 steps instead of 283; here a
-/// tolerance of 1e-8 with 1e-12 gave up when the column was full). 1e-15 is a few roundings of W.
-double newton_tolerance(const RichardsProblem& problem) {
-  double tolerance = 1e-12;
-  for (const Soil& soil : problem.soils) {
-    if (soil.specific_storage > 0) {
-      tolerance = std::min(tolerance, 0.01 * soil.specific_storage * Tolerances(problem.tolerance).head);
-    }
-  }
-  return std::max(tolerance, 1e-15);
-}
-
 // The record keeps every step; sound runs take thousands.
 constexpr long most_steps = 2'000'000;
 
-/// One run: the objects in the order in which they need each other, and the march through time.
+/// One run: the march through time, on meshes that follow the front where the problem asks for it.
 class Run {
  public:
   Run(const RichardsProblem& problem, meshes::Progress progress)
-      : problem_(problem),
-        progress_(progress),
-        space_(discretise(problem)),
-        boundary_(problem, space_),
-        flow_(problem, space_, boundary_),
-        kernel_(flow_, boundary_, newton_tolerance(problem)),
-        integrator_(problem.integrator == Integrator::bdf
-                        ? make_bdf(kernel_, Tolerances(problem.tolerance))
-                        : make_backward_euler(kernel_, Tolerances(problem.tolerance))),
-        recorder_(problem, flow_, boundary_) {}
+      : problem_(problem), progress_(progress), space_(problem), recorder_(problem) {
+    if (problem.adaptivity) indicator_.emplace(problem);
+    system_ = std::make_unique<System>(problem, space_.discretisation());
+  }
 
   meshes::FieldHistory march() {
     try {
       begin();
-      const std::vector<double> breaks = boundary_.breaks();
-      std::set<double> stops(breaks.begin(), breaks.end());
-      stops.insert(problem_.output_times.begin(), problem_.output_times.end());
-      stops.insert(problem_.end_time);
-      stops.erase(0.0);
-      for (double stop : stops) {
-        march_to(stop);
-        take_snapshots();
-        if (std::binary_search(breaks.begin(), breaks.end(), stop)) restart();
+      while (state_.time < problem_.end_time) {
+        const double stop = next_stop();
+        step(stop);
+        if (state_.time == stop) take_snapshots();
+        const bool follows = indicator_ && indicator_->due(system_->space, system_->flow.laws(), state_.head);
+        const bool breaks = at_break();
+        const bool moved = follows && adapt();
+        if (moved || breaks) restart(breaks);
       }
     } catch (const StepFailure& failure) {
       recorder_.note(failure.what());
@@ -62,47 +44,107 @@ class Run {
 
  private:
   void begin() {
-    state_.head = space_.initial_head;
-    state_.water = flow_.water_at(state_.head);
-    state_.totals.assign(kernel_.ledger_size(), 0.0);
+    take_initial_state();
+    if (indicator_) adapt_to_initial_state();
+    recorder_.attach(system_->flow, system_->boundary, state_);
     recorder_.record_step(state_);
     take_snapshots();
-    restart();
+    restart(true);
+  }
+
+  void take_initial_state() {
+    state_.head = system_->space.initial_head;
+    state_.water = system_->flow.water_at(state_.head);
+    state_.totals.assign(system_->kernel.ledger_size(), 0.0);
+  }
+
+  // With the heads that the boundary imposes: a jump there is a front.
+  void adapt_to_initial_state() {
+    for (int pass = 0; pass < problem_.adaptivity->levels; ++pass) {
+      system_->boundary.set_time(0);
+      std::vector<double> head = state_.head;
+      system_->kernel.make_consistent(head);
+      if (!space_.adapt(indicator_->marks(system_->space, system_->flow.laws(), head))) return;
+      effort_.add(*system_);
+      system_ = std::make_unique<System>(problem_, space_.discretisation());
+      take_initial_state();
+    }
+  }
+
+  // One pass halves a cell once; what comes to light then may ask for more.
+  bool adapt() {
+    bool changed = false;
+    for (int pass = 0; pass <= problem_.adaptivity->levels; ++pass) {
+      if (!space_.adapt(indicator_->marks(system_->space, system_->flow.laws(), state_.head))) break;
+      move_to(std::make_unique<System>(problem_, space_.discretisation()));
+      changed = true;
+    }
+    if (changed) ++adapts_;
+    return changed;
+  }
+
+  void move_to(std::unique_ptr<System> next) {
+    next->boundary.set_time(state_.time);
+    std::vector<char> fixed(next->space.dof_count, 0);
+    for (const HeldDof& held : next->boundary.held()) fixed[held.dof] = held.kind == HeldDof::Kind::head;
+    Transferred moved = transfer(system_->flow, state_.head, next->flow, fixed);
+    recorder_.detach(state_);
+    recorder_.lose(moved.lost);
+    water_moved_ += moved.moved;
+    water_lost_ += std::abs(moved.lost);
+    effort_.add(*system_);
+    system_ = std::move(next);
+    state_.head = std::move(moved.head);
+    state_.water = system_->flow.water_at(state_.head);
+    state_.totals.assign(system_->kernel.ledger_size(), 0.0);
+    recorder_.attach(system_->flow, system_->boundary, state_);
   }
 
   // The jump from the initial state to what the boundary demands happens at t = 0, a jump of a given head, or of a node
   // that a rising water level reaches, at its break; all of it is in the ledger.
   void make_boundary_consistent() {
-    const std::vector<double> taken = kernel_.make_consistent(state_.head);
-    state_.water = flow_.water_at(state_.head);
-    const std::size_t first = boundary_.held().size();
+    const std::vector<double> taken = system_->kernel.make_consistent(state_.head);
+    state_.water = system_->flow.water_at(state_.head);
+    const std::size_t first = system_->boundary.held().size();
     for (std::size_t c = 0; c < taken.size(); ++c) {
       state_.totals[first + c] += taken[c];
       if (taken[c] == 0 || state_.time > 0) continue;
-      recorder_.note("the initial state contradicts side '" + boundary_.side_name(static_cast<int>(c)) +
+      recorder_.note("the initial state contradicts side '" + system_->boundary.side_name(static_cast<int>(c)) +
                      "': " + std::to_string(taken[c]) + " m^dim of water left there at t = 0 to make it consistent");
     }
   }
 
-  void restart() {
-    boundary_.set_time(state_.time);
-    if (state_.time == 0 || boundary_.heads_move()) make_boundary_consistent();
-    integrator_->start(state_);
+  void restart(bool at_break) {
+    if (at_break) system_->boundary.set_time(state_.time);
+    if (state_.time == 0 || !at_break || system_->boundary.heads_move()) make_boundary_consistent();
+    system_->integrator->start(state_);
   }
 
-  void march_to(double stop) {
-    while (state_.time < stop) {
-      if (++steps_ > most_steps) {
-        std::ostringstream text;
-        text << "gave up at t = " << state_.time << " s: " << most_steps << " steps were not enough";
-        throw StepFailure(text.str());
-      }
-      integrator_->step(state_, stop);
-      recorder_.record_step(state_);
-      constexpr long steps_between_reports = 50;
-      if (progress_ != nullptr && steps_ % steps_between_reports == 0) {
-        progress_(state_.time, problem_.end_time, "reference");
-      }
+  double next_stop() const {
+    const auto& breaks = system_->boundary.breaks();
+    const auto next = std::upper_bound(breaks.begin(), breaks.end(), state_.time);
+    double stop = next == breaks.end() ? problem_.end_time : std::min(*next, problem_.end_time);
+    if (next_output_ < problem_.output_times.size()) stop = std::min(stop, problem_.output_times[next_output_]);
+    return stop;
+  }
+
+  bool at_break() const {
+    const auto& breaks = system_->boundary.breaks();
+    return std::binary_search(breaks.begin(), breaks.end(), state_.time);
+  }
+
+  void step(double stop) {
+    if (++steps_ > most_steps) {
+      std::ostringstream text;
+      text << "gave up at t = " << state_.time << " s: " << most_steps << " steps were not enough";
+      throw StepFailure(text.str());
+    }
+    system_->integrator->step(state_, stop);
+    effort_.step_taken(*system_);
+    recorder_.record_step(state_);
+    constexpr long steps_between_reports = 50;
+    if (progress_ != nullptr && steps_ % steps_between_reports == 0) {
+      progress_(state_.time, problem_.end_time, "reference");
     }
   }
 
@@ -113,20 +155,29 @@ class Run {
     }
   }
 
-  meshes::FieldHistory finish() { return recorder_.finish(state_, kernel_, *integrator_, cpu_now() - start_); }
+  meshes::FieldHistory finish() {
+    meshes::FieldHistory history = recorder_.finish(state_);
+    effort_.report(problem_, *system_, cpu_now() - start_, history);
+    if (problem_.adaptivity) {
+      history.counters["adapts"] = static_cast<double>(adapts_);
+      history.counters["water moved by adapting"] = water_moved_;
+      history.counters["water lost by adapting"] = water_lost_;
+    }
+    return history;
+  }
 
   double start_ = cpu_now();
   const RichardsProblem& problem_;
   meshes::Progress progress_;
-  Discretisation space_;
-  Boundary boundary_;
-  FlowOperator flow_;
-  StageKernel kernel_;
-  std::unique_ptr<TimeIntegrator> integrator_;
+  Space space_;
   Recorder recorder_;
+  std::optional<Indicator> indicator_;
+  Effort effort_;
+  std::unique_ptr<System> system_;
   State state_;
   std::size_t next_output_ = 0;
-  long steps_ = 0;
+  long steps_ = 0, adapts_ = 0;
+  double water_moved_ = 0, water_lost_ = 0;  ///< [m^dim]
 };
 
 }  // namespace

@@ -47,8 +47,8 @@ struct LedgerRow {
 
 /// The water that passed one side [as LedgerRow, cumulative], one value per row of the ledger.
 struct SideLedger {
-  std::string side;
-  std::string condition;           ///< "rain", "head", "free drainage", "flux", "water level", ...
+  std::string side;                ///< empty: inside the soil
+  std::string condition;           ///< "rain", "head", "free drainage", "flux", "water level", "source", ...
   std::vector<double> asked;       ///< rain (or inflow) that the record asked for
   std::vector<double> run_off;     ///< refused
   std::vector<double> outflow;     ///< left the soil, evaporation apart; negative: came in other than as rain
