@@ -1,10 +1,6 @@
 #include "verification/suites/closed_form_case.h"
 
-#include "verification/compare/balance.h"
-#include "verification/compare/verdict.h"
 #include "verification/present/figure_frame.h"
-#include "verification/present/tables.h"
-#include "verification/run/provenance.h"
 
 #include <fmt/format.h>
 
@@ -20,18 +16,13 @@ struct Rung {
   std::vector<double> error;  ///< relative L2 of the head over the nodes, one per output time
 };
 
-Rung climb(const ClosedFormCase& test, int cells) {
+Rung climb(const ClosedFormCase& test, int cells, CaseBook& book) {
   const auto problem = test.problem(cells);
-  Rung rung{cells, fem_reference::solve(problem), {}};
+  Rung rung{cells, book.solve(fmt::format("{} cells", cells), problem), {}};
   for (const auto& snapshot : rung.history.snapshots) {
-    double difference = 0, size = 0;
-    for (std::size_t i = 0; i < problem.mesh.node_count(); ++i) {
-      const double exact = test.head(problem.mesh.nodes[i], snapshot.time);
-      const double head = snapshot.node_pressure[i] / problem.unit_weight;
-      difference += (head - exact) * (head - exact);
-      size += exact * exact;
-    }
-    rung.error.push_back(std::sqrt(difference / size));
+    std::vector<double> exact;
+    for (const auto& node : problem.mesh.nodes) exact.push_back(test.head(node, snapshot.time));
+    rung.error.push_back(relative_l2(heads_of(snapshot, problem.unit_weight), exact));
   }
   return rung;
 }
@@ -40,41 +31,8 @@ double worst(const std::vector<double>& errors) {
   return *std::max_element(errors.begin(), errors.end());
 }
 
-/// A finding against an exact solution: nothing is uncertain but the number itself.
-reports::Finding finding(const std::string& quantity, const std::string& description, double error, double tolerance,
-                         const std::string& reason) {
-  reports::Finding out;
-  out.quantity = quantity;
-  out.description = description;
-  out.error = error;
-  out.tolerance = tolerance;
-  out.reason = reason;
-  out.verdict = verdict(error, 0, tolerance);
-  return out;
-}
-
-void judge_errors(reports::Record& record, const ClosedFormCase& test, const Rung& rung) {
-  for (std::size_t t = 0; t < rung.error.size(); ++t) {
-    const double time = rung.history.snapshots[t].time;
-    auto out =
-        finding("head_l2", fmt::format("relative L2 of the head on {} cells after {:.5g} h", rung.cells, time / 3600),
-                rung.error[t], test.gate.relative_l2, test.gate.reason);
-    if (time < test.gate.from) out.verdict = reports::Verdict::info;
-    out.cpu_s = rung.history.cpu_seconds;
-    record.findings.push_back(out);
-  }
-}
-
-/// The order lies within [low, high] when it is within half the width of the middle.
-void judge_order(reports::Record& record, const ClosedFormCase& test, const Rung& coarse, const Rung& fine) {
-  const double order = std::log2(worst(coarse.error) / worst(fine.error));
-  const double middle = 0.5 * (test.lowest_order + test.highest_order);
-  auto out = finding("order_in_space",
-                     fmt::format("observed order between {} and {} cells: {:.3f}", coarse.cells, fine.cells, order),
-                     std::abs(order - middle), 0.5 * (test.highest_order - test.lowest_order), test.order_reason);
-  out.unit = "orders";
-  out.explanation = fmt::format("distance from {:g}", middle);
-  record.findings.push_back(out);
+std::string time_text(double seconds) {
+  return seconds < 600 ? fmt::format("{:.4g} s", seconds) : fmt::format("{:.4g} h", seconds / 3600);
 }
 
 reports::Figure error_over_cells(const std::vector<Rung>& ladder) {
@@ -94,28 +52,48 @@ reports::Figure error_over_cells(const std::vector<Rung>& ladder) {
   return figure;
 }
 
-/// Heads over elevation on the coarsest rung's vertical line of nodes nearest the middle.
+/// Whether a node lies on the vertical line through the middle of the mesh (the nearest line of nodes right of it).
+class MiddleLine {
+ public:
+  explicit MiddleLine(const meshes::Mesh& mesh) : up_(meshes::up_axis(mesh.dim)) {
+    for (int axis = 0; axis < up_; ++axis) {
+      double widest = 0;
+      for (const auto& node : mesh.nodes) widest = std::max(widest, node[axis]);
+      at_[axis] = widest;
+      for (const auto& node : mesh.nodes)
+        if (node[axis] >= 0.5 * widest * (1 - 1e-9)) at_[axis] = std::min(at_[axis], node[axis]);
+    }
+  }
+  bool holds(const meshes::Point& node) const {
+    for (int axis = 0; axis < up_; ++axis)
+      if (std::abs(node[axis] - at_[axis]) > 1e-6 * at_[axis]) return false;
+    return true;
+  }
+
+ private:
+  int up_;
+  meshes::Point at_{};
+};
+
 reports::Figure profiles(const ClosedFormCase& test, const Rung& rung) {
   reports::Figure figure =
       figure_frame({"profiles", fmt::format("Pressure head over elevation, {} cells", rung.cells), "Profiles"},
                    {"pressure head", "m"}, {"elevation", "m"});
   const meshes::Mesh& mesh = rung.history.mesh;
   const int up = meshes::up_axis(mesh.dim);
-  double widest = 0;
-  for (const auto& node : mesh.nodes) widest = std::max(widest, up == 0 ? 0 : node[0]);
-  const double unit_weight = test.problem(rung.cells).unit_weight;
+  const MiddleLine line(mesh);
   int colour = 0;
   for (const auto& snapshot : rung.history.snapshots) {
+    const std::vector<double> heads = heads_of(snapshot);
     reports::Series exact, points;
-    const std::string at = fmt::format("{:.5g} h", snapshot.time / 3600);
-    exact.label = "closed form, " + at;
-    points.label = "reference, " + at;
+    exact.label = "closed form, " + time_text(snapshot.time);
+    points.label = "reference, " + time_text(snapshot.time);
     points.style = reports::Series::Style::points;
     exact.colour = points.colour = colour++;
     for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-      if (up != 0 && std::abs(mesh.nodes[i][0] - 0.5 * widest) > 1e-6 * widest) continue;
+      if (!line.holds(mesh.nodes[i])) continue;
       exact.x.push_back(test.head(mesh.nodes[i], snapshot.time));
-      points.x.push_back(snapshot.node_pressure[i] / unit_weight);
+      points.x.push_back(heads[i]);
       exact.y.push_back(mesh.nodes[i][up]);
       points.y.push_back(mesh.nodes[i][up]);
     }
@@ -125,30 +103,42 @@ reports::Figure profiles(const ClosedFormCase& test, const Rung& rung) {
   return figure;
 }
 
+void climb_and_judge(const ClosedFormCase& test, CaseBook& book) {
+  std::vector<Rung> ladder;
+  for (const int cells : test.ladder) ladder.push_back(climb(test, cells, book));
+  for (const Rung& rung : ladder)
+    for (std::size_t t = 0; t < rung.error.size() && rung.cells == test.gate.cells; ++t)
+      book.judge("head_error",
+                 fmt::format("relative L2 of the head over the nodes, {} cells, after {}", rung.cells,
+                             time_text(rung.history.snapshots[t].time)),
+                 rung.error[t], {test.gate.relative_l2, "1", test.gate.reason});
+  const Rung &coarse = ladder[ladder.size() - 2], &fine = ladder.back();
+  book.judge_order("order_in_space", fmt::format("observed order between {} and {} cells", coarse.cells, fine.cells),
+                   std::log2(worst(coarse.error) / worst(fine.error)), test.order);
+  book.draw(profiles(test, ladder.front()));
+  book.draw(error_over_cells(ladder));
+}
+
 }  // namespace
 
-reports::Record run_closed_form(const ClosedFormCase& test) {
-  reports::Record record;
-  record.case_name = test.name;
-  record.title = test.title;
-  record.requirement = test.requirement + " Source: " + test.source;
-  std::vector<Rung> ladder;
-  for (const int cells : test.ladder) ladder.push_back(climb(test, cells));
-  double imbalance_worst = 0;
-  for (const Rung& rung : ladder) {
-    record.cpu_seconds += rung.history.cpu_seconds;
-    imbalance_worst = std::max(imbalance_worst, imbalance(rung.history.ledger, {rung.history.ledger.back().time}));
-    if (rung.cells == test.gate.cells) judge_errors(record, test, rung);
+double relative_l2(const std::vector<double>& heads, const std::vector<double>& exact) {
+  double difference = 0, size = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    difference += (heads[i] - exact[i]) * (heads[i] - exact[i]);
+    size += exact[i] * exact[i];
   }
-  judge_order(record, test, ladder[ladder.size() - 2], ladder.back());
-  record.findings.push_back(finding("water_balance", "water balance on every mesh", imbalance_worst, 1e-7,
-                                    "the mixed form conserves water to the Newton tolerance, at any step"));
-  record.verdict = overall(record.findings);
-  record.figures = {profiles(test, ladder.front()), error_over_cells(ladder)};
-  for (const Rung& rung : ladder)
-    record.tables.push_back(cost_table(fmt::format("reference on {} cells", rung.cells), rung.history));
-  record.provenance = provenance(test.name, ladder.back().history.mesh);
-  return record;
+  return std::sqrt(difference / size);
+}
+
+std::vector<double> heads_of(const meshes::Snapshot& snapshot, double unit_weight) {
+  std::vector<double> heads = snapshot.node_pressure;
+  for (double& head : heads) head /= unit_weight;
+  return heads;
+}
+
+Case as_case(const ClosedFormCase& test) {
+  return {test.name,   test.title,  test.requirement,
+          test.source, test.effort, [test](CaseBook& book) { climb_and_judge(test, book); }};
 }
 
 }  // namespace wetfront::verification

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "fem_reference/richards_problem.h"
-#include "reports/record.h"
+#include "verification/suites/case.h"
+#include "verification/suites/case_book.h"
 
 #include <functional>
 #include <string>
@@ -9,27 +10,31 @@
 
 namespace wetfront::verification {
 
-/// The reference against a closed form on a ladder of meshes.
+/// The commonest kind of case: the reference against a closed form on a ladder of meshes.
 struct ClosedFormCase {
-  std::string name, title, requirement;
-  std::string source;  ///< paper and equations
+  std::string name, title, requirement, source;  ///< as Case
+  Effort effort = Effort::quick;
   /// The problem on `cells` cells per direction; the initial state is the exact one.
   std::function<fem_reference::RichardsProblem(int cells)> problem;
   /// Exact pressure head [m] at a place and a time since the start of the problem [s].
   std::function<double(const meshes::Point&, double)> head;
   std::vector<int> ladder;  ///< cells, each twice the one before
-  struct Gate {
-    double relative_l2;  ///< of the head over the nodes, on `cells`, at every output time from `from` [s] on
+  struct Judged {
+    double relative_l2;  ///< of the head over the nodes, on `cells`, at every output time
     int cells;
-    double from = 0;
     std::string reason;
   } gate;
-  double lowest_order = 1.9, highest_order = 2.1;  ///< of the worst error, between the two finest meshes
-  std::string order_reason;
+  OrderGate order;  ///< of the error at the worst time, between the two finest meshes
 };
 
-/// Solves the case on its ladder, judges errors, observed order and water balance, and draws error over cells and
-/// profiles over the closed form.
-reports::Record run_closed_form(const ClosedFormCase& test);
+/// Solves the ladder, judges errors at the mesh nodes and the observed order, draws error over cells and profiles over
+/// the closed form.
+Case as_case(const ClosedFormCase& test);
+
+/// Relative L2 over the mesh nodes of the heads of one snapshot, the nodes weighted equally.
+double relative_l2(const std::vector<double>& heads, const std::vector<double>& exact);
+
+/// The heads [m] of a snapshot.
+std::vector<double> heads_of(const meshes::Snapshot& snapshot, double unit_weight = 9810);
 
 }  // namespace wetfront::verification

@@ -1,0 +1,147 @@
+#include "verification/suites/case_book.h"
+
+#include "verification/compare/verdict.h"
+#include "verification/run/provenance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+double counter(const meshes::FieldHistory& history, const std::string& name) {
+  const auto found = history.counters.find(name);
+  return found == history.counters.end() ? 0 : found->second;
+}
+
+/// Runs at reference tolerances owe the stricter balance (issue 3).
+constexpr double reference_tolerance = 1e-6;
+
+}  // namespace
+
+double relative_imbalance(const meshes::FieldHistory& history) {
+  const auto& ledger = history.ledger;
+  double passed = ledger.back().infiltrated, sides = 0;
+  for (const auto& [name, value] : history.counters)
+    if (name.starts_with("outflow through ") || name.starts_with("evaporated through ")) sides += std::abs(value);
+  passed += sides > 0 ? sides : std::abs(ledger.back().outflow);
+  double worst = 0;
+  for (const auto& row : ledger) {
+    const double error = row.stored - ledger.front().stored - row.infiltrated + row.outflow;
+    worst = std::isfinite(error) ? std::max(worst, std::abs(error)) : std::numeric_limits<double>::infinity();
+  }
+  return passed > 0 ? worst / passed : worst / ledger.front().stored;
+}
+
+CaseBook::CaseBook(const Case& test) {
+  record_.case_name = test.name;
+  record_.title = test.title;
+  record_.requirement = test.requirement + " Source: " + test.source;
+  runs_ = {"Runs",
+           "Cost",
+           "One row per solution; water imbalance relative to |inflow| + |outflow|.",
+           {"run", "DoF", "tolerance", "steps", "Newton", "failed solves", "CPU [s]", "water imbalance"},
+           {}};
+}
+
+meshes::FieldHistory CaseBook::solve(const std::string& label, const fem_reference::RichardsProblem& problem) {
+  try {
+    meshes::FieldHistory history = fem_reference::solve(problem);
+    enter(label, history, problem.tolerance);
+    return history;
+  } catch (const fem_reference::GaveUp& failure) {
+    enter(label + " (gave up)", failure.partial, problem.tolerance);
+    throw;
+  }
+}
+
+void CaseBook::enter(const std::string& label, const meshes::FieldHistory& history, double tolerance) {
+  const double imbalance = relative_imbalance(history);
+  Balance& balance = tolerance <= reference_tolerance ? at_reference_ : at_default_;
+  balance.worst = std::max(balance.worst, imbalance);
+  ++balance.runs;
+  const double dofs = counter(history, "degrees of freedom");
+  if (dofs >= degrees_of_freedom_) record_.provenance = provenance(record_.case_name, history.mesh);
+  degrees_of_freedom_ = std::max(degrees_of_freedom_, dofs);
+  record_.cpu_seconds += history.cpu_seconds;
+  runs_.rows.push_back({label, fmt::format("{:g}", dofs), fmt::format("{:g}", tolerance),
+                        fmt::format("{:g}", counter(history, "steps")),
+                        fmt::format("{:g}", counter(history, "Newton iterations")),
+                        fmt::format("{:g}", counter(history, "failed nonlinear solves")),
+                        fmt::format("{:.3f}", history.cpu_seconds), fmt::format("{:.1e}", imbalance)});
+}
+
+reports::Finding& CaseBook::add(const std::string& quantity, const std::string& description, double error,
+                                const Gate& gate) {
+  reports::Finding& out = record_.findings.emplace_back();
+  out.quantity = quantity;
+  out.description = description;
+  out.unit = gate.unit;
+  out.error = error;
+  out.tolerance = gate.tolerance;
+  out.reason = gate.reason;
+  return out;
+}
+
+void CaseBook::judge(const std::string& quantity, const std::string& description, double error, const Gate& gate) {
+  reports::Finding& out = add(quantity, description, error, gate);
+  // Nothing is uncertain here but the number itself: what is not a number has failed.
+  out.verdict = std::isnan(error) ? reports::Verdict::fail : verdict(error, 0, gate.tolerance);
+}
+
+void CaseBook::expect(const std::string& quantity, const std::string& description, double measured, double expected,
+                      const Gate& gate) {
+  const double difference = std::abs(measured - expected);
+  judge(quantity, fmt::format("{}: {:.6g}, expected {:.6g}", description, measured, expected),
+        gate.unit == "1" ? difference / std::abs(expected) : difference, gate);
+}
+
+void CaseBook::judge_order(const std::string& quantity, const std::string& description, double order,
+                           const OrderGate& gate) {
+  const double middle = 0.5 * (gate.lowest + gate.highest);
+  judge(quantity, fmt::format("{}: {:.3f} (wanted: {:g} to {:g})", description, order, gate.lowest, gate.highest),
+        std::abs(order - middle), {0.5 * (gate.highest - gate.lowest), "orders", gate.reason});
+  record_.findings.back().explanation = fmt::format("distance from {:g}", middle);
+}
+
+void CaseBook::show(const std::string& quantity, const std::string& description, double value,
+                    const std::string& unit) {
+  add(quantity, description, value, {0, unit, ""});
+}
+
+void CaseBook::judge_balance() {
+  const char* reason = "the mixed form conserves water to the Newton tolerance, at any step";
+  if (at_reference_.runs > 0)
+    judge("water_balance", fmt::format("water balance, worst of {} runs at tolerance 1e-6 or less", at_reference_.runs),
+          at_reference_.worst, {1e-8, "1", reason});
+  if (at_default_.runs > 0)
+    judge("water_balance", fmt::format("water balance, worst of {} runs at more than 1e-6", at_default_.runs),
+          at_default_.worst, {1e-7, "1", reason});
+}
+
+reports::Record CaseBook::finish(const std::string& failure) {
+  judge_balance();
+  if (!failure.empty()) {
+    judge("completes", "every run of the case completes", 1, {0, "failures", "a reference that stops judges nothing"});
+    record_.findings.back().explanation = failure;
+    record_.log.push_back(failure);
+  }
+  record_.verdict = overall(record_.findings);
+  if (!runs_.rows.empty()) record_.tables.push_back(runs_);
+  record_.provenance["degrees_of_freedom"] = fmt::format("{:g}", degrees_of_freedom_);
+  return std::move(record_);
+}
+
+reports::Record run_case(const Case& test) {
+  CaseBook book(test);
+  try {
+    test.run(book);
+  } catch (const std::exception& failure) {
+    return book.finish(failure.what());
+  }
+  return book.finish();
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "fem_reference/richards_problem.h"
+#include "reports/record.h"
+#include "verification/suites/case.h"
+
+#include <string>
+#include <vector>
+
+namespace wetfront::verification {
+
+/// What is allowed, in what unit ("1": relative), and why that much.
+struct Gate {
+  double tolerance;
+  std::string unit;
+  std::string reason;
+};
+
+/// The band of an observed order. Both ends are gated: an order far above the scheme's says that the ladder is not in
+/// the asymptotic range, or that the error is not what it is called.
+struct OrderGate {
+  double lowest, highest;
+  std::string reason;
+};
+
+/// What a case writes down while it runs: solutions with their cost and balance, findings, tables, figures.
+class CaseBook {
+ public:
+  explicit CaseBook(const Case& test);
+
+  /// Solves, enters the run into the table of runs and its water balance into the gate (finish()). Throws GaveUp.
+  meshes::FieldHistory solve(const std::string& label, const fem_reference::RichardsProblem& problem);
+  /// A run that something else made: as solve() does.
+  void enter(const std::string& label, const meshes::FieldHistory& history, double tolerance);
+  /// CPU seconds spent outside solve().
+  void spend(double cpu_seconds) { record_.cpu_seconds += cpu_seconds; }
+
+  /// error <= gate.tolerance, else FAIL.
+  void judge(const std::string& quantity, const std::string& description, double error, const Gate& gate);
+  /// |measured - expected| <= gate.tolerance; with unit "1" relative to |expected|. Both numbers are on the page.
+  void expect(const std::string& quantity, const std::string& description, double measured, double expected,
+              const Gate& gate);
+  /// Observed order between two errors whose mesh width (step, ...) differs by `ratio`.
+  void judge_order(const std::string& quantity, const std::string& description, double order, const OrderGate& gate);
+  /// Shown without a gate.
+  void show(const std::string& quantity, const std::string& description, double value, const std::string& unit);
+  void draw(reports::Figure figure) { record_.figures.push_back(std::move(figure)); }
+  void tabulate(reports::Table table) { record_.tables.push_back(std::move(table)); }
+
+  /// Adds the balance gate, the table of runs and the verdict.
+  reports::Record finish(const std::string& failure = "");
+
+ private:
+  reports::Finding& add(const std::string& quantity, const std::string& description, double error, const Gate& gate);
+  void judge_balance();
+  reports::Record record_;
+  reports::Table runs_;
+  struct Balance {
+    double worst = 0;
+    int runs = 0;
+  } at_default_, at_reference_;
+  double degrees_of_freedom_ = 0;
+};
+
+/// Largest |stored - stored_0 - infiltrated + outflow| over the run, relative to |inflow| + |outflow| of its end, side
+/// by side: water that passes from one side to another counts twice, water that only ran off not at all.
+double relative_imbalance(const meshes::FieldHistory& history);
+
+}  // namespace wetfront::verification

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "fem_reference/richards_problem.h"
+
+namespace wetfront::verification {
+
+/// Celia et al. 1990: 40 cm of Haverkamp's sand for 360 s, and 1 m of the New Mexico soil for 24 h, output at 6, 12, 24
+/// h.
+fem_reference::RichardsProblem celia_sand(int cells);
+fem_reference::RichardsProblem celia_new_mexico(int cells);
+
+}  // namespace wetfront::verification
