@@ -1,3 +1,4 @@
+#include "fem_reference/band_order.h"
 #include "fem_reference/linear_solver.h"
 
 #include <algorithm>
@@ -8,62 +9,83 @@ namespace wetfront::fem_reference {
 namespace {
 
 /// Gaussian elimination of a band with row pivoting. A row holds `width` entries left of the diagonal and
-/// 2 `width` right of it (pivoting fills the second half).
+/// 2 `width` right of it (pivoting fills the second half); last_ tells how far it is filled.
 class BandSolver : public LinearSolver {
  public:
-  explicit BandSolver(int width) : width_(width), stride_(3 * width + 1) {}
+  explicit BandSolver(BandOrder order)
+      : position_(std::move(order.position)), width_(order.width), stride_(3 * order.width + 1) {}
 
   bool solve(const SparseMatrix& matrix, std::vector<double>& b) override {
     const int n = matrix.size();
-    band_.assign(static_cast<std::size_t>(n) * stride_, 0.0);
-    for (int row = 0; row < n; ++row) {
-      for (int k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k) {
-        at(row, matrix.column[k]) = matrix.value[k];
-      }
-    }
+    fill(matrix, b);
     for (int k = 0; k < n; ++k) {
-      if (!eliminate(k, n, b)) return false;
+      if (!eliminate(k, n)) return false;
     }
     for (int row = n - 1; row >= 0; --row) {
-      const int last = std::min(n - 1, row + 2 * width_);
-      for (int c = row + 1; c <= last; ++c) b[row] -= at(row, c) * b[c];
-      b[row] /= at(row, row);
+      const double* entries = &at(row, row);
+      double sum = x_[row];
+      for (int c = 1; c <= last_[row] - row; ++c) sum -= entries[c] * x_[row + c];
+      x_[row] = sum / entries[0];
     }
+    for (int i = 0; i < n; ++i) b[i] = x_[position_[i]];
     return true;
   }
 
  private:
   double& at(int row, int column) { return band_[static_cast<std::size_t>(row) * stride_ + column - row + width_]; }
 
-  bool eliminate(int k, int n, std::vector<double>& b) {
+  void fill(const SparseMatrix& matrix, const std::vector<double>& b) {
+    const int n = matrix.size();
+    band_.assign(static_cast<std::size_t>(n) * stride_, 0.0);
+    x_.resize(n);
+    last_.assign(n, 0);
+    for (int i = 0; i < n; ++i) {
+      const int row = position_[i];
+      for (int k = matrix.row_start[i]; k < matrix.row_start[i + 1]; ++k) {
+        const int column = position_[matrix.column[k]];
+        at(row, column) = matrix.value[k];
+        last_[row] = std::max(last_[row], column);
+      }
+      x_[row] = b[i];
+    }
+  }
+
+  bool eliminate(int k, int n) {
     const int below = std::min(n - 1, k + width_);
-    const int right = std::min(n - 1, k + 2 * width_);
     int pivot = k;
     for (int row = k + 1; row <= below; ++row) {
       if (std::abs(at(row, k)) > std::abs(at(pivot, k))) pivot = row;
     }
     if (!(std::abs(at(pivot, k)) > 0)) return false;  // also catches NaN
     if (pivot != k) {
-      for (int c = k; c <= right; ++c) std::swap(at(k, c), at(pivot, c));
-      std::swap(b[k], b[pivot]);
+      const int reach = std::max(last_[k], last_[pivot]);
+      for (int c = k; c <= reach; ++c) std::swap(at(k, c), at(pivot, c));
+      std::swap(x_[k], x_[pivot]);
+      std::swap(last_[k], last_[pivot]);
     }
+    const double* __restrict source = &at(k, k);
+    const int length = last_[k] - k;
     for (int row = k + 1; row <= below; ++row) {
-      const double factor = at(row, k) / at(k, k);
+      double* __restrict entries = &at(row, k);
+      const double factor = entries[0] / source[0];
       if (factor == 0) continue;
-      for (int c = k + 1; c <= right; ++c) at(row, c) -= factor * at(k, c);
-      b[row] -= factor * b[k];
+      for (int c = 1; c <= length; ++c) entries[c] -= factor * source[c];
+      x_[row] -= factor * x_[k];
+      last_[row] = std::max(last_[row], last_[k]);
     }
     return true;
   }
 
+  std::vector<int> position_;
   int width_, stride_;
-  std::vector<double> band_;
+  std::vector<double> band_, x_;
+  std::vector<int> last_;  ///< [row] -> last column that may be filled
 };
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_band_solver(int band_width) {
-  return std::make_unique<BandSolver>(band_width);
+std::unique_ptr<LinearSolver> make_band_solver(BandOrder order) {
+  return std::make_unique<BandSolver>(std::move(order));
 }
 
 }  // namespace wetfront::fem_reference

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem_reference/ranks.h"
 #include "fem_reference/richards_problem.h"
 
 #include <array>
@@ -48,7 +49,7 @@ struct Box {
 /// 6). Cells of equal constraints share a pattern; pattern 0 is that of a cell without.
 struct Discretisation {
   int dim = 0;
-  int dof_count = 0;
+  int dof_count = 0;  ///< unknowns; on several ranks those that this rank owns
   int cell_count = 0;
   int dofs_per_cell = 0;
   int points_per_cell = 0;              ///< Gauss points, (degree + 1)^dim
@@ -71,6 +72,7 @@ struct Discretisation {
   std::vector<std::vector<SideShare>> sides;  ///< per boundary condition of the problem
   std::vector<Place> gauges;                  ///< per gauge of the problem
   std::vector<double> initial_head;           ///< [dof], m
+  Ranks ranks;  ///< with the other ranks of the solve; its ghosts are numbered behind the unknowns
 
   int corners() const { return 1 << dim; }
   const int* dofs_of(int cell) const { return &cell_dofs[static_cast<std::size_t>(cell) * dofs_per_cell]; }

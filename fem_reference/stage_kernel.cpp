@@ -40,7 +40,7 @@ StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary, double newton_t
       newton_tolerance_(newton_tolerance),
       flat_tops_(flat_tops(flow.laws(), newton_tolerance)),
       matrix_(flow.pattern()),
-      linear_(make_linear_solver(matrix_)) {
+      linear_(make_linear_solver(matrix_, {flow.volume(), newton_tolerance}, flow.space().ranks)) {
   const std::size_t n = flow.space().dof_count;
   mode_.assign(boundary.held().size(), Mode::free);
   released_.assign(boundary.held().size(), 0);
