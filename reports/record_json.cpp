@@ -67,6 +67,8 @@ Json finding_json(const Finding& finding, const std::string& case_name) {
           {"unit", finding.unit},
           {"error", number(finding.error)},
           {"reference_bound", number(finding.reference_bound)},
+          {"reference_convergence", finding.reference_convergence},
+          {"reference_order", number(finding.reference_order)},
           {"tolerance", number(finding.tolerance)},
           {"reason", finding.reason},
           {"verdict", verdict_key(finding.verdict)},
@@ -82,6 +84,8 @@ Finding finding_from(const Json& json) {
   finding.unit = json.at("unit").get<std::string>();
   finding.error = number_from(json.at("error"));
   finding.reference_bound = number_from(json.at("reference_bound"));
+  finding.reference_convergence = json.at("reference_convergence").get<std::string>();
+  finding.reference_order = number_from(json.at("reference_order"));
   finding.tolerance = number_from(json.at("tolerance"));
   finding.reason = json.at("reason").get<std::string>();
   finding.verdict = verdict_from(json.at("verdict").get<std::string>());

@@ -6,6 +6,7 @@
 #include "reports/tolerance_bar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace wetfront::reports {
@@ -46,6 +47,15 @@ std::string unbroken(std::string text) {
   return text;
 }
 
+/// The bound, and beneath it how the meshes behind it went.
+void write_bound(std::ostream& out, const Finding& finding) {
+  out << html(quantity_text(finding.reference_bound, finding.unit, 2));
+  if (finding.reference_convergence.empty()) return;
+  out << "<p class=\"explanation\">" << html(finding.reference_convergence);
+  if (!std::isnan(finding.reference_order)) out << ", order " << html(number_text(finding.reference_order, 2));
+  out << "</p>";
+}
+
 void write_row(std::ostream& out, const Finding& finding) {
   const bool gated = finding.verdict != Verdict::info;
   out << "<tr class=\"" << verdict_key(finding.verdict) << "\"><td>" << badge(finding.verdict)
@@ -54,8 +64,9 @@ void write_row(std::ostream& out, const Finding& finding) {
       << html(finding.quantity) << "</code>";
   if (!finding.explanation.empty()) out << "<p class=\"explanation\">" << html(finding.explanation) << "</p>";
   out << "</td><td class=\"number\">" << html(quantity_text(finding.error, finding.unit))
-      << "</td><td class=\"number\">" << html(quantity_text(finding.reference_bound, finding.unit, 2))
-      << "</td><td class=\"number\">" << (gated ? html(quantity_text(finding.tolerance, finding.unit)) : "–")
+      << "</td><td class=\"number\">";
+  write_bound(out, finding);
+  out << "</td><td class=\"number\">" << (gated ? html(quantity_text(finding.tolerance, finding.unit)) : "–")
       << "</td><td class=\"barcell\">" << tolerance_bar(finding) << "</td><td class=\"number\">"
       << html(number_text(finding.cpu_s)) << "</td><td class=\"reason\">" << html(finding.reason) << "</td></tr>\n";
 }

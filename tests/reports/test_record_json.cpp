@@ -28,6 +28,8 @@ void expect_equal(const Finding& a, const Finding& b) {
   EXPECT_EQ(a.group, b.group);
   EXPECT_EQ(a.unit, b.unit);
   expect_equal({a.error, a.reference_bound, a.tolerance, a.cpu_s}, {b.error, b.reference_bound, b.tolerance, b.cpu_s});
+  EXPECT_EQ(a.reference_convergence, b.reference_convergence);
+  expect_equal({a.reference_order}, {b.reference_order});
   EXPECT_EQ(a.reason, b.reason);
   EXPECT_EQ(a.verdict, b.verdict);
   EXPECT_EQ(a.explanation, b.explanation);

@@ -18,7 +18,7 @@ using Fault = std::function<void(mpm::Problem<2>&)>;
 /// A scene with its references, solved once: a fault is in the candidate alone.
 struct Judged {
   Prepared prepared;
-  Solved reference, finer;
+  ReferenceRuns reference;
 };
 
 Judged seed(const std::string& name) {
@@ -28,15 +28,15 @@ Judged seed(const std::string& name) {
     prepared.problem.output_times.resize(2);
     prepared.problem.stages.back().end_time = prepared.problem.output_times.back();
   }
-  Solved reference = solve_reference(prepared, false), finer = solve_reference(prepared, true);
-  return {std::move(prepared), std::move(reference), std::move(finer)};
+  ReferenceRuns reference = solve_references(prepared.scene, prepared.timeline, {});
+  return {std::move(prepared), std::move(reference)};
 }
 
 /// Names of the quantities that FAIL once the fault is in.
 std::set<std::string> failing(const Judged& judged, const Fault& fault) {
   mpm::Problem<2> problem = judged.prepared.problem;
   fault(problem);
-  const Histories histories{solve_candidate(problem).history, judged.reference.history, judged.finer.history};
+  const Histories histories = histories_of(solve_candidate(problem).history, judged.reference);
   const auto measurements = measure(judged.prepared.scene, judged.prepared.timeline, histories);
   std::set<std::string> names;
   for (const auto& finding : judge(judged.prepared.scene, judged.prepared.timeline, measurements, 0))

@@ -51,7 +51,7 @@ TEST(Judge, TheToleranceThatNamesTheTimeCounts) {
   Judged judged;
   judged.gate("pressure_l2", 0.1);
   judged.gate("pressure_l2", 0.01, 20);
-  const auto findings = judged({{"pressure_l2", "", 0, "", 0.05, 0, ""}, {"pressure_l2", "", 1, "", 0.05, 0, ""}});
+  const auto findings = judged({{"pressure_l2", "", 0, "", 0.05, {}, ""}, {"pressure_l2", "", 1, "", 0.05, {}, ""}});
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0].verdict, Verdict::pass);
   EXPECT_EQ(findings[1].verdict, Verdict::fail);
@@ -63,7 +63,7 @@ TEST(Judge, TheToleranceThatNamesTheTimeCounts) {
 TEST(Judge, AToleranceThatNothingAnswersIsInconclusive) {
   Judged judged;
   judged.gate("ponding_time", 0.1);
-  const auto findings = judged({{"ponding_time", "", -1, "", std::nan(""), 0, ""}});
+  const auto findings = judged({{"ponding_time", "", -1, "", std::nan(""), {}, ""}});
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].verdict, Verdict::inconclusive);
   EXPECT_EQ(overall(findings), Verdict::inconclusive);
@@ -73,13 +73,13 @@ TEST(Judge, AGeneralToleranceIsAnsweredWhereTheQuantityExists) {
   Judged judged;
   judged.gate("front_position", 0.1);
   const auto findings =
-      judged({{"front_position", "", 0, "", 0.05, 0, ""}, {"front_position", "", 1, "", std::nan(""), 0, ""}});
+      judged({{"front_position", "", 0, "", 0.05, {}, ""}, {"front_position", "", 1, "", std::nan(""), {}, ""}});
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].verdict, Verdict::pass);
 }
 
 TEST(Judge, WhatHasNoToleranceIsShownAndDoesNotDecide) {
-  const auto findings = Judged()({{"pressure_linf", "", 0, "", 0.5, 0, ""}});
+  const auto findings = Judged()({{"pressure_linf", "", 0, "", 0.5, {}, ""}});
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].verdict, Verdict::info);
   EXPECT_EQ(overall(findings), Verdict::info);

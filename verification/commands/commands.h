@@ -1,5 +1,7 @@
 #pragma once
 
+#include "verification/run/solve_reference.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,10 +12,10 @@ namespace wetfront::verification::commands {
 
 using Paths = std::vector<std::filesystem::path>;
 
-int run(const Paths& scenes, const std::filesystem::path& out);
+int run(const Paths& scenes, const std::filesystem::path& out, const ReferenceStore& store);
 int explain(const Paths& scenes);
 int check(const Paths& scenes);
-int reference(const std::filesystem::path& scene, const std::filesystem::path& out);
+int reference(const std::filesystem::path& scene, const std::filesystem::path& out, const ReferenceStore& store);
 int report(const std::filesystem::path& folder);
 int new_scene(const std::string& name);
 int schema(bool as_page);

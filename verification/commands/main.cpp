@@ -38,8 +38,17 @@ struct Arguments {
   commands::Paths scenes;
   std::filesystem::path scene, folder, out;
   std::string name, suite;
-  bool page = false;
+  bool page = false, no_store = false;
+  wetfront::verification::ReferenceStore store{"out/.references"};
 };
+
+/// Where solutions of the reference are kept between runs.
+void add_store(CLI::App* command, Arguments& arguments) {
+  auto* folder = command->add_option("--references", arguments.store.folder,
+                                     "folder of computed references, taken again when the problem and the code are the "
+                                     "same (default out/.references)");
+  command->add_flag("--no-store", arguments.no_store, "compute every reference anew and keep none")->excludes(folder);
+}
 
 CLI::Option* add_scenes(CLI::App* command, Arguments& arguments) {
   return command->add_option("SCENE", arguments.scenes, "scene files (.toml)")->required();
@@ -63,10 +72,14 @@ int main(int argc, char** argv) {
     return subcommand;
   };
 
+  const auto store = [&] { return arguments.no_store ? wetfront::verification::ReferenceStore{} : arguments.store; };
+
   auto* run = add("run", "mesh -> reference -> MPM -> comparison -> report",
-                  [&] { return commands::run(arguments.scenes, arguments.out); });
+                  [&] { return commands::run(arguments.scenes, arguments.out, store()); });
   add_scenes(run, arguments);
   run->add_option("--out", arguments.out, "output folder (default out/<scene>; with several scenes the folder above)");
+
+  add_store(run, arguments);
 
   add_scenes(add("explain", "effects and what called for them, columns, step limits, cost; runs nothing",
                  [&] { return commands::explain(arguments.scenes); }),
@@ -74,9 +87,10 @@ int main(int argc, char** argv) {
   add_scenes(add("check", "read and cross-check only", [&] { return commands::check(arguments.scenes); }), arguments);
 
   auto* reference = add("reference", "the finite-element solution alone, with its own error",
-                        [&] { return commands::reference(arguments.scene, arguments.out); });
+                        [&] { return commands::reference(arguments.scene, arguments.out, store()); });
   reference->add_option("SCENE", arguments.scene, "scene file (.toml)")->required();
   reference->add_option("--out", arguments.out, "output folder (default out/<scene>_reference)");
+  add_store(reference, arguments);
 
   auto* verify = add("verify", "the suites of closed forms and cases", [&] {
     if (arguments.suite != "reference")

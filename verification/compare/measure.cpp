@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace wetfront::verification {
 namespace {
@@ -24,9 +24,31 @@ double relative_difference(double a, double b) {
   return std::abs(a - b) / std::abs(b);
 }
 
+double absolute_difference(double a, double b) {
+  if (std::isnan(a) && std::isnan(b)) return nothing;
+  return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : std::abs(a - b);
+}
+
+Distance of_numbers(double (*difference)(double, double)) {
+  return [difference](const std::vector<double>& a, const std::vector<double>& b) { return difference(a[0], b[0]); };
+}
+
 std::string value_text(double value) {
   return std::isnan(value) ? "never" : fmt::format("{:.6g}", value);
 }
+
+/// What a measurement is called.
+struct Label {
+  std::string quantity, description;
+  int time_index = -1;
+  std::string probe{};
+};
+
+/// Something read from each solution by the same rule.
+struct Read {
+  std::vector<double> candidate;
+  ReferenceValues reference;
+};
 
 /// Gathers measurements for one scene.
 class Measuring {
@@ -34,9 +56,9 @@ class Measuring {
   Measuring(const Scene& scene, const Timeline& timeline, const Histories& histories)
       : scene_(scene),
         timeline_(timeline),
+        histories_(histories),
         candidate_(histories.candidate),
-        reference_(histories.reference),
-        finer_(histories.finer) {}
+        reference_(histories.reference) {}
 
   std::vector<Measurement> all() {
     fields();
@@ -51,154 +73,190 @@ class Measuring {
 
  private:
   void add(Measurement measurement) { found_.push_back(std::move(measurement)); }
+  void add(const Label& label, const Read& read, const Distance& distance, std::string explanation = "") {
+    add({label.quantity, label.description, label.time_index, label.probe,
+         distance(read.candidate, read.reference.reference), reference_error(read.reference, distance),
+         std::move(explanation)});
+  }
 
-  /// An event: one number from each solution.
-  void add_event(const std::string& quantity, const std::string& description, const std::string& probe,
-                 const std::array<double, 3>& value) {
-    const auto [candidate, reference, finer] = value;
-    add({quantity, description, -1, probe, relative_difference(candidate, reference),
-         relative_difference(finer, reference),
-         fmt::format("candidate {}, reference {}", value_text(candidate), value_text(reference))});
+  /// Applies `rule` (FieldHistory -> vector of doubles) to every solution.
+  template <class Rule>
+  Read read(const Rule& rule) const {
+    Read values{rule(candidate_), read_reference(rule)};
+    return values;
+  }
+  template <class Rule>
+  ReferenceValues read_reference(const Rule& rule) const {
+    ReferenceValues values{rule(reference_), {}, rule(histories_.finer), rule(histories_.tighter)};
+    if (histories_.coarser) values.coarser = rule(*histories_.coarser);
+    return values;
+  }
+  template <class Rule>
+  Read read_number(const Rule& rule) const {
+    return read([&](const meshes::FieldHistory& history) { return std::vector<double>{rule(history)}; });
+  }
+
+  /// An event: one number from each solution, compared with the reference's.
+  void add_event(const Label& label, const Read& event) {
+    add(label, event, of_numbers(relative_difference),
+        fmt::format("candidate {}, reference {}", value_text(event.candidate[0]),
+                    value_text(event.reference.reference[0])));
   }
 
   void fields();
+  void front(const Label& at, const Read& saturation);
   void nodes();
-  void front(std::size_t time, const std::array<const Profile*, 3>& profile);
   void infiltration();
   void events();
   void gauges();
   void balances();
   void overshoot();
 
+  /// Snapshots that every solution reached.
+  std::size_t common_times() const {
+    std::size_t times = std::min({candidate_.snapshots.size(), reference_.snapshots.size(),
+                                  histories_.finer.snapshots.size(), histories_.tighter.snapshots.size()});
+    if (histories_.coarser) times = std::min(times, histories_.coarser->snapshots.size());
+    return times;
+  }
+  std::string at_time(std::size_t t) const {
+    return " at " + describe(scene_.comparison.times[t], timeline_.comparison_times[t]);
+  }
   double area_of(const meshes::FieldHistory& history) const { return rain_area(scene_, history.mesh); }
 
   const Scene& scene_;
   const Timeline& timeline_;
-  const meshes::FieldHistory &candidate_, &reference_, &finer_;
+  const Histories& histories_;
+  const meshes::FieldHistory &candidate_, &reference_;
   std::vector<Measurement> found_;
 };
 
 void Measuring::fields() {
   const auto weight = cell_measures(candidate_.mesh);
   const auto candidate = cell_profiles(candidate_);
-  const auto reference = profiles_at_cells(reference_, candidate_);
-  const auto finer = profiles_at_cells(finer_, candidate_);
-  const std::size_t times = std::min({candidate.size(), reference.size(), finer.size()});
+  std::map<const meshes::FieldHistory*, std::vector<Profile>> profiles;
+  read_reference([&](const meshes::FieldHistory& history) {
+    profiles[&history] = profiles_at_cells(history, candidate_);
+    return std::vector<double>{};
+  });
   const auto [low, high] = std::ranges::minmax(initial_pressure(scene_, candidate_.mesh));
   const double range = high - low;
-  for (std::size_t t = 0; t < times; ++t) {
+  const Distance l2 = [&](const auto& a, const auto& b) { return relative_l2(a, b, weight); };
+  const Distance of_range = [&](const auto& a, const auto& b) { return root_mean_square(a, b, weight) / range; };
+  for (std::size_t t = 0; t < common_times(); ++t) {
     const int index = static_cast<int>(t);
-    const std::string at = " at " + describe(scene_.comparison.times[t], timeline_.comparison_times[t]);
-    const auto field = [&](const std::string& key, const std::string& name, auto part) {
-      const auto &a = candidate[t].*part, &b = reference[t].*part, &c = finer[t].*part;
-      add({key + "_l2", "relative L2 of " + name + at, index, "", relative_l2(a, b, weight), relative_l2(c, b, weight),
-           ""});
-      add({key + "_linf", "largest difference of " + name + at, index, "", relative_linf(a, b), relative_linf(c, b),
-           ""});
+    const auto values = [&](std::vector<double> Profile::*part) {
+      return Read{candidate[t].*part,
+                  read_reference([&](const auto& history) { return profiles.at(&history)[t].*part; })};
     };
-    field("pressure", "pore pressure", &Profile::pressure);
-    field("saturation", "saturation", &Profile::saturation);
+    const Read pressure = values(&Profile::pressure), saturation = values(&Profile::saturation);
+    add({"pressure_l2", "relative L2 of pore pressure" + at_time(t), index}, pressure, l2);
+    add({"pressure_linf", "largest difference of pore pressure" + at_time(t), index}, pressure, relative_linf);
+    add({"saturation_l2", "relative L2 of saturation" + at_time(t), index}, saturation, l2);
+    add({"saturation_linf", "largest difference of saturation" + at_time(t), index}, saturation, relative_linf);
     if (range > 0)
-      add({"pressure_l2_range", "rms difference of pore pressure over the initial range" + at, index, "",
-           root_mean_square(candidate[t].pressure, reference[t].pressure, weight) / range,
-           root_mean_square(finer[t].pressure, reference[t].pressure, weight) / range, ""});
-    front(t, {&candidate[t], &reference[t], &finer[t]});
+      add({"pressure_l2_range", "rms difference of pore pressure over the initial range" + at_time(t), index}, pressure,
+          of_range);
+    front({"front_position", "elevation of the wetting front" + at_time(t), index}, saturation);
   }
 }
 
-/// The nodes themselves, for schemes whose unknowns live there. Nodes are weighted alike.
-void Measuring::nodes() {
-  const auto reference = pressure_at_nodes(reference_, candidate_.mesh);
-  const auto finer = pressure_at_nodes(finer_, candidate_.mesh);
-  const std::vector<double> alike(candidate_.mesh.node_count(), 1);
-  for (std::size_t t = 0; t < std::min({candidate_.snapshots.size(), reference.size(), finer.size()}); ++t) {
-    if (candidate_.snapshots[t].cells_hold_averages) continue;  // its unknowns are in the cells
-    add({"pressure_l2_nodes",
-         "relative L2 of pore pressure at the nodes at " +
-             describe(scene_.comparison.times[t], timeline_.comparison_times[t]),
-         static_cast<int>(t), "", relative_l2(candidate_.snapshots[t].node_pressure, reference[t], alike),
-         relative_l2(finer[t], reference[t], alike), ""});
-  }
-}
-
-void Measuring::front(std::size_t time, const std::array<const Profile*, 3>& profile) {
+void Measuring::front(const Label& label, const Read& saturation) {
   if (!std::holds_alternative<Column>(scene_.geometry.shape)) return;
   const meshes::Mesh& mesh = candidate_.mesh;
   std::vector<double> elevation;
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
     elevation.push_back(mesh.cell_centre(c)[meshes::up_axis(mesh.dim)]);
-  std::array<double, 3> at;
-  for (int i = 0; i < 3; ++i) at[i] = front_elevation(profile[i]->saturation, elevation);
-  const auto difference = [&](double a, double b) {
-    if (std::isnan(a) && std::isnan(b)) return nothing;
-    return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : std::abs(a - b);
+  const auto front_of = [&](const std::vector<double>& s) {
+    return std::vector<double>{front_elevation(s, elevation)};
   };
-  add({"front_position",
-       "elevation of the wetting front at " + describe(scene_.comparison.times[time], timeline_.comparison_times[time]),
-       static_cast<int>(time), "", difference(at[0], at[1]), difference(at[2], at[1]),
-       fmt::format("candidate {} m, reference {} m", value_text(at[0]), value_text(at[1]))});
+  const ReferenceValues& family = saturation.reference;
+  Read at{front_of(saturation.candidate),
+          {front_of(family.reference), {}, front_of(family.finer), front_of(family.tighter)}};
+  if (family.coarser) at.reference.coarser = front_of(*family.coarser);
+  add(label, at, of_numbers(absolute_difference),
+      fmt::format("candidate {} m, reference {} m", value_text(at.candidate[0]),
+                  value_text(at.reference.reference[0])));
+}
+
+/// The nodes themselves, for schemes whose unknowns live there. Nodes are weighted alike.
+void Measuring::nodes() {
+  std::map<const meshes::FieldHistory*, std::vector<std::vector<double>>> pressures;
+  read_reference([&](const meshes::FieldHistory& history) {
+    pressures[&history] = pressure_at_nodes(history, candidate_.mesh);
+    return std::vector<double>{};
+  });
+  const std::vector<double> alike(candidate_.mesh.node_count(), 1);
+  for (std::size_t t = 0; t < common_times(); ++t) {
+    if (candidate_.snapshots[t].cells_hold_averages) continue;  // its unknowns are in the cells
+    add({"pressure_l2_nodes", "relative L2 of pore pressure at the nodes" + at_time(t), static_cast<int>(t)},
+        {candidate_.snapshots[t].node_pressure,
+         read_reference([&](const auto& history) { return pressures.at(&history)[t]; })},
+        [&](const auto& a, const auto& b) { return relative_l2(a, b, alike); });
+  }
 }
 
 void Measuring::infiltration() {
-  const std::size_t times = timeline_.comparison_times.size();
-  for (std::size_t t = 0; t < times; ++t) {
+  for (std::size_t t = 0; t < timeline_.comparison_times.size(); ++t) {
     const double time = timeline_.comparison_times[t];
-    const auto infiltrated = [&](const meshes::FieldHistory& history) {
+    const Read taken = read_number([&](const meshes::FieldHistory& history) {
       return ledger_at(history.ledger, &meshes::LedgerRow::infiltrated, time) / area_of(history);
-    };
-    const double a = infiltrated(candidate_), b = infiltrated(reference_), c = infiltrated(finer_);
+    });
+    const double a = taken.candidate[0], b = taken.reference.reference[0];
     // Where all rain runs off, what both take in is round-off of the rain, and its ratio says nothing.
     const double noise = 1e-9 * rain_asked(scene_, candidate_.mesh, time) / area_of(candidate_);
     if (!(a > noise || b > noise)) continue;
-    add({"cumulative_infiltration", "cumulative infiltration at " + describe(scene_.comparison.times[t], time),
-         static_cast<int>(t), "", relative_difference(a, b), relative_difference(c, b),
-         fmt::format("candidate {:.6g} m, reference {:.6g} m", a, b)});
+    add({"cumulative_infiltration", "cumulative infiltration" + at_time(t), static_cast<int>(t)}, taken,
+        of_numbers(relative_difference), fmt::format("candidate {:.6g} m, reference {:.6g} m", a, b));
   }
 }
 
 void Measuring::events() {
-  const std::array<double, 3> ponding = {ponding_time(candidate_.ledger), ponding_time(reference_.ledger),
-                                         ponding_time(finer_.ledger)};
-  add_event("ponding_time", "time of ponding [s]", "", ponding);
+  const Read ponding = read_number([](const meshes::FieldHistory& history) { return ponding_time(history.ledger); });
+  add_event({"ponding_time", "time of ponding [s]"}, ponding);
   // Where the soil takes all rain until it is full, it is full when it ponds: deficit / rain, with no solver involved.
   if (!timeline_.filling_time || timeline_.end() < *timeline_.filling_time) return;
   const double expected = *timeline_.filling_time;
   const double before = ledger_at(reference_.ledger, &meshes::LedgerRow::run_off, 0.99 * expected);
   if (before > 1e-6 * ledger_at(reference_.ledger, &meshes::LedgerRow::rain_asked, expected)) return;
-  add({"filling_time", "filling time against storage deficit / rain", -1, "", relative_difference(ponding[0], expected),
-       relative_difference(ponding[1], expected),
-       fmt::format("candidate {} s, deficit / rain {:.6g} s, reference {} s", value_text(ponding[0]), expected,
-                   value_text(ponding[1]))});
+  const double candidate = ponding.candidate[0], reference = ponding.reference.reference[0];
+  Measurement filling{"filling_time", "filling time against storage deficit / rain", -1, "", 0, {}, ""};
+  filling.error = relative_difference(candidate, expected);
+  filling.reference.bound = relative_difference(reference, expected);  // here the truth is known
+  filling.explanation = fmt::format("candidate {} s, deficit / rain {:.6g} s, reference {} s", value_text(candidate),
+                                    expected, value_text(reference));
+  add(std::move(filling));
 }
 
 void Measuring::gauges() {
   const double unit_weight = scene_.water->density * gravity_magnitude(scene_);
   for (const meshes::Gauge& gauge : candidate_.gauges) {
-    const auto same = [&](const meshes::FieldHistory& history) -> const meshes::Gauge* {
-      for (const meshes::Gauge& other : history.gauges)
-        if (other.name == gauge.name) return &other;
-      return nullptr;
+    const auto of_gauge = [&](auto value) {
+      return read_number([&](const meshes::FieldHistory& history) {
+        for (const meshes::Gauge& other : history.gauges)
+          if (other.name == gauge.name) return static_cast<double>(value(other));
+        return nothing;
+      });
     };
-    const meshes::Gauge *reference = same(reference_), *finer = same(finer_);
-    if (!reference || !finer) continue;
-    add_event("arrival_time", "p > 0.2 kPa at probe " + gauge.name + " [s]", gauge.name,
-              {crossing_time(gauge, arrival_pressure), crossing_time(*reference, arrival_pressure),
-               crossing_time(*finer, arrival_pressure)});
-    add_event("rise_rate", "rise of head at probe " + gauge.name + " [m/s]", gauge.name,
-              {rise_rate(gauge, unit_weight), rise_rate(*reference, unit_weight), rise_rate(*finer, unit_weight)});
+    add_event({"arrival_time", "p > 0.2 kPa at probe " + gauge.name + " [s]", -1, gauge.name},
+              of_gauge([](const meshes::Gauge& g) { return crossing_time(g, arrival_pressure); }));
+    add_event({"rise_rate", "rise of head at probe " + gauge.name + " [m/s]", -1, gauge.name},
+              of_gauge([&](const meshes::Gauge& g) { return rise_rate(g, unit_weight); }));
   }
 }
 
 void Measuring::balances() {
-  add({"water_balance", "water balance of the candidate, nodal", -1, "",
-       imbalance(candidate_.ledger, timeline_.stage_end), 0, ""});
-  add({"reference_balance", "water balance of the reference", -1, "", imbalance(reference_.ledger, {timeline_.end()}),
-       0, ""});
+  const auto own = [&](const std::string& quantity, const std::string& description, double error,
+                       std::string explanation = "") {
+    add({quantity, description, -1, "", error, {}, std::move(explanation)});
+  };
+  own("water_balance", "water balance of the candidate, nodal", imbalance(candidate_.ledger, timeline_.stage_end));
+  own("reference_balance", "water balance of the reference", imbalance(reference_.ledger, {timeline_.end()}));
   const double end = candidate_.ledger.back().time;
   const double asked = rain_asked(scene_, candidate_.mesh, end);
   if (!(asked > 0)) return;
-  add({"rain_asked", "rain the candidate's boundary was asked for, against the scene", -1, "",
-       relative_difference(candidate_.ledger.back().rain_asked, asked), 0, ""});
+  own("rain_asked", "rain the candidate's boundary was asked for, against the scene",
+      relative_difference(candidate_.ledger.back().rain_asked, asked));
   double from = 0, worst_nodal = 0, worst_points = 0;
   for (const double until : timeline_.stage_end) {
     worst_nodal = std::max(worst_nodal, undelivered(candidate_.ledger, from, until, Sum::nodal));
@@ -206,8 +264,8 @@ void Measuring::balances() {
     if (!std::isnan(points)) worst_points = std::max(worst_points, points);
     from = until;
   }
-  add({"rain_delivered", "rain delivered, from stored water, against asked less run-off", -1, "", worst_nodal, 0,
-       fmt::format("the same from particle sums: {:.3g}", worst_points)});
+  own("rain_delivered", "rain delivered, from stored water, against asked less run-off", worst_nodal,
+      fmt::format("the same from particle sums: {:.3g}", worst_points));
 }
 
 void Measuring::overshoot() {
@@ -217,7 +275,7 @@ void Measuring::overshoot() {
     for (const meshes::Snapshot& snapshot : candidate_.snapshots)
       for (const int node : candidate_.mesh.side(rain.side).faces)
         highest = std::max(highest, snapshot.node_pressure[node]);
-  add({"overshoot", "largest pressure above zero at the rained surface [Pa]", -1, "", highest, 0, ""});
+  add({"overshoot", "largest pressure above zero at the rained surface [Pa]", -1, "", highest, {}, ""});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verification/compare/histories.h"
+#include "verification/compare/reference_error.h"
 #include "verification/scene/scene.h"
 #include "verification/translate/timeline.h"
 
@@ -16,7 +17,7 @@ struct Measurement {
   int time_index = -1;      ///< into the comparison times; -1: of the whole run
   std::string probe;
   double error = 0;  ///< candidate against reference; infinity where only one of them has it; NaN where neither has
-  double bound = 0;  ///< finer reference against reference, by the same rule
+  ReferenceError reference;  ///< what the reference itself does not know, by the same rule
   std::string explanation;
 };
 

@@ -1,36 +1,16 @@
 #include "verification/run/provenance.h"
 
+#include "verification/run/content_hash.h"
 #include "verification/run/version.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <ctime>
 #include <fstream>
-#include <string_view>
 
 namespace wetfront::verification {
 namespace {
-
-/// FNV-1a, 64 bits: names a content, protects nothing.
-class ContentHash {
- public:
-  void add(std::string_view bytes) {
-    for (const char byte : bytes) {
-      value_ ^= static_cast<unsigned char>(byte);
-      value_ *= 1099511628211ull;
-    }
-  }
-  template <class T>
-  void add(const std::vector<T>& values) {
-    add(std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
-  }
-  std::string text() const { return fmt::format("{:016x}", value_); }
-
- private:
-  std::uint64_t value_ = 14695981039346656037ull;
-};
 
 std::string processor() {
   std::ifstream in("/proc/cpuinfo");

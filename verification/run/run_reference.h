@@ -4,8 +4,14 @@
 
 namespace wetfront::verification {
 
-/// Solves a scene's reference alone, at its resolution and twice as fine, and reports the difference: the
-/// reference's own error. The page stands in `folder`.
-RunResult run_reference(const Scene& scene, const std::filesystem::path& folder);
+struct ReferenceResult {
+  reports::Record record;
+  Exit exit = Exit::pass;
+  ReferenceRuns runs;
+};
+
+/// The reference of a scene alone, with its own error, into `folder`. What the material point method could not do with
+/// the scene does not matter here.
+ReferenceResult run_reference(const Scene& scene, const std::filesystem::path& folder, const ReferenceStore& store);
 
 }  // namespace wetfront::verification

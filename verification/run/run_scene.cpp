@@ -7,12 +7,12 @@
 #include "verification/present/field_files.h"
 #include "verification/present/figures.h"
 #include "verification/present/plan_text.h"
+#include "verification/present/reference_error_table.h"
 #include "verification/present/tables.h"
 #include "verification/run/progress.h"
 #include "verification/run/provenance.h"
 #include "verification/translate/scene_mesh.h"
 #include "verification/translate/to_mpm.h"
-#include "verification/translate/to_reference.h"
 
 #include <fmt/format.h>
 
@@ -26,12 +26,6 @@ Exit exit_for(reports::Verdict verdict) {
   if (verdict == reports::Verdict::fail) return Exit::fail;
   if (verdict == reports::Verdict::inconclusive) return Exit::inconclusive;
   return Exit::pass;
-}
-
-void note_solver(reports::Record& record, const std::string& who, const Solved& solved) {
-  if (!solved.gave_up.empty()) record.log.push_back(who + " gave up: " + solved.gave_up);
-  for (const std::string& line : solved.history.log) record.log.push_back(who + ": " + line);
-  record.cpu_seconds += solved.history.cpu_seconds;
 }
 
 void add_candidate_tables(reports::Record& record, const Prepared& prepared, const meshes::FieldHistory& history) {
@@ -57,38 +51,32 @@ reports::Record start_record(const Prepared& prepared) {
 
 /// Compares and judges; what a solver that gave up left behind is compared as far as it goes.
 void compare_into(reports::Record& record, const Prepared& prepared, RunResult& result) {
-  const Histories histories{result.candidate.history, result.reference.history, result.finer.history};
+  const Histories histories = histories_of(result.candidate.history, *result.reference);
   const auto measurements = measure(prepared.scene, prepared.timeline, histories);
   record.findings = judge(prepared.scene, prepared.timeline, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
   record.figures = figures(prepared.scene, prepared.timeline, histories, measurements);
   record.tables.push_back(ledger_table("reference", histories.reference,
                                        ledger_area(prepared.scene, histories.reference.mesh), prepared.timeline));
-  record.tables.push_back(cost_table("reference", histories.reference));
-  record.tables.push_back(cost_table("finer reference (bounds the reference's error)", histories.finer));
+  record.tables.push_back(reference_error_table(measurements));
+  for (const auto& [name, solved] : result.reference->all()) record.tables.push_back(cost_table(name, solved->history));
 }
 
 }  // namespace
 
-Prepared prepare_reference(const Scene& scene) {
-  return {scene, timeline(scene), {}};
+void note_solver(reports::Record& record, const std::string& who, const Solved& solved) {
+  if (!solved.gave_up.empty()) record.log.push_back(who + " gave up: " + solved.gave_up);
+  for (const std::string& line : solved.history.log) record.log.push_back(who + ": " + line);
+  if (!solved.taken_from.empty())
+    record.log.push_back(who + ": taken from " + solved.taken_from +
+                         " (same problem, same code); its CPU seconds are those of the run that computed it");
+  record.cpu_seconds += solved.history.cpu_seconds;
 }
 
 Prepared prepare(const Scene& scene) {
-  Prepared prepared = prepare_reference(scene);
+  Prepared prepared{scene, timeline(scene), {}};
   prepared.problem = to_mpm(scene, mpm_mesh(scene), prepared.timeline);
   return prepared;
-}
-
-Solved solve_reference(const Prepared& prepared, bool finer) {
-  const ReferenceSettings& settings = *prepared.scene.reference;
-  const Resolution resolution{settings.cells, finer ? 1 : 0, settings.tolerance * (finer ? 0.1 : 1)};
-  const ProgressLine line(finer ? "reference, twice as fine" : "reference");
-  try {
-    return {fem_reference::solve(to_reference(prepared.scene, prepared.timeline, resolution), show_progress), ""};
-  } catch (const fem_reference::GaveUp& error) {
-    return {error.partial, error.what()};
-  }
 }
 
 Solved solve_candidate(const mpm::Problem<2>& problem) {
@@ -100,37 +88,43 @@ Solved solve_candidate(const mpm::Problem<2>& problem) {
   }
 }
 
-RunResult run_prepared(const Prepared& prepared) {
+RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store) {
   RunResult result;
   result.record = start_record(prepared);
   reports::Record& record = result.record;
-  const bool compared = prepared.scene.reference.has_value();
-  if (compared) {
-    result.reference = solve_reference(prepared, false);
-    result.finer = solve_reference(prepared, true);
-    note_solver(record, "reference", result.reference);
-    note_solver(record, "finer reference", result.finer);
+  if (prepared.scene.reference) {
+    result.reference = solve_references(prepared.scene, prepared.timeline, store);
+    for (const auto& [name, solved] : result.reference->all()) note_solver(record, name, *solved);
   }
   result.candidate = solve_candidate(prepared.problem);
   note_solver(record, "MPM", result.candidate);
-  if (compared)
+  if (result.reference)
     compare_into(record, prepared, result);
   else
     record.figures = figures_of_one(prepared.scene, result.candidate.history, "MPM");
   add_candidate_tables(record, prepared, result.candidate.history);
   result.exit = exit_for(record.verdict);
-  if (!result.candidate.gave_up.empty() || !result.reference.gave_up.empty() || !result.finer.gave_up.empty())
-    result.exit = Exit::gave_up;
+  if (!why_given_up(result).empty()) result.exit = Exit::gave_up;
   return result;
 }
 
-RunResult run_scene(const Scene& scene, const std::filesystem::path& folder) {
+std::vector<std::string> why_given_up(const RunResult& result) {
+  std::vector<std::string> reasons;
+  if (!result.candidate.gave_up.empty()) reasons.push_back(result.candidate.gave_up);
+  if (!result.reference) return reasons;
+  for (const auto& [name, solved] : result.reference->all())
+    if (!solved->gave_up.empty()) reasons.push_back(name + ": " + solved->gave_up);
+  return reasons;
+}
+
+RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const ReferenceStore& store) {
   const Prepared prepared = prepare(scene);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
-  RunResult result = run_prepared(prepared);
+  RunResult result = run_prepared(prepared, store);
   reports::write_result(result.record, folder);
   auto files = field_files(result.candidate.history, "mpm");
-  for (auto& file : field_files(result.reference.history, "reference")) files.push_back(std::move(file));
+  if (result.reference)
+    for (auto& file : field_files(result.reference->reference.history, "reference")) files.push_back(std::move(file));
   reports::write_fields(files, folder);
   std::ofstream(folder / "scene.toml") << scene.text;
   return result;

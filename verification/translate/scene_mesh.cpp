@@ -6,6 +6,7 @@
 #include "meshes/refine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -36,6 +37,13 @@ void require_affordable(const Scene& scene, double cells, const std::string& sug
                            " are allowed). Set [reference] cells to e.g. " + suggestion);
 }
 
+/// Halvings of a mesh's own cells until there are at least `cells`.
+int halvings_to(const meshes::Mesh& mesh, int cells) {
+  int halvings = 0;
+  for (double count = mesh.cell_count(); count < cells; count *= 1 << mesh.dim) ++halvings;
+  return halvings;
+}
+
 }  // namespace
 
 meshes::Mesh mpm_mesh(const Scene& scene) {
@@ -47,8 +55,14 @@ meshes::Mesh mpm_mesh(const Scene& scene) {
   return user_mesh(scene, std::get<MeshFile>(scene.geometry.shape));
 }
 
+bool can_coarsen(const Scene& scene, int cells) {
+  if (std::holds_alternative<Column>(scene.geometry.shape)) return cells % 2 == 0;
+  if (const auto* slope = std::get_if<Slope>(&scene.geometry.shape)) return cells % (2 * slope->cells_over) == 0;
+  return halvings_to(user_mesh(scene, std::get<MeshFile>(scene.geometry.shape)), cells) > 0;
+}
+
 meshes::Mesh reference_mesh(const Scene& scene, int cells, int halvings) {
-  const int finest = cells << halvings;
+  const int finest = halvings < 0 ? cells >> -halvings : cells << halvings;
   if (const auto* column = std::get_if<Column>(&scene.geometry.shape))
     return meshes::generate(meshes::line_column_script(column->height, finest), 1);
   if (const auto* slope = std::get_if<Slope>(&scene.geometry.shape)) {
@@ -58,9 +72,9 @@ meshes::Mesh reference_mesh(const Scene& scene, int cells, int halvings) {
     return slope_mesh(*slope, finest);
   }
   meshes::Mesh mesh = user_mesh(scene, std::get<MeshFile>(scene.geometry.shape));
-  require_affordable(scene, std::max<double>(cells, mesh.cell_count()) * (1 << 2 * halvings), "the mesh's own number");
-  while (mesh.cell_count() < static_cast<std::size_t>(cells)) mesh = meshes::refined(mesh);
-  for (int i = 0; i < halvings; ++i) mesh = meshes::refined(mesh);
+  const int total = halvings_to(mesh, cells) + halvings;
+  require_affordable(scene, mesh.cell_count() * std::exp2(mesh.dim * total), "the mesh's own number");
+  for (int i = 0; i < total; ++i) mesh = meshes::refined(mesh);
   meshes::renumber_by_position(mesh);
   return mesh;
 }

@@ -9,7 +9,7 @@ namespace wetfront::verification {
 /// How finely the reference is computed.
 struct Resolution {
   int cells;     ///< as [reference] cells
-  int halvings;  ///< of every cell beyond that
+  int halvings;  ///< of every cell beyond that; -1: cells twice as large (see can_coarsen)
   double tolerance;
 };
 
