@@ -6,8 +6,11 @@ SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml))
 
 .PHONY: report test build program deps format clean
 
-report: program  ## the main job: every scene of the seed paper's column -> out/index.html
-	$(BUILD)/wetfront run $(SCENES)
+report: program  ## the main job: the reference judged, then every scene of the seed paper's column -> out/index.html
+	status=0; \
+	$(BUILD)/wetfront verify reference || status=$$?; \
+	$(BUILD)/wetfront run $(SCENES) || status=$$?; \
+	$(BUILD)/wetfront report out && exit $$status
 
 test: build  ## the everyday tests
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE heavy

@@ -68,21 +68,34 @@ std::string cell_html(const Cell& cell) {
                           ", tolerance " + quantity_text(cell.worst.tolerance, cell.worst.unit);
   std::string text = "<td title=\"" + html(tip) + "\">" + badge(cell.verdict);
   if (cell.verdict != Verdict::info) text += "<div class=\"small\">" + tolerance_bar(cell.worst) + "</div>";
+  text += "<span class=\"count\">" + html(quantity_text(cell.worst.error, cell.worst.unit, 2)) + "</span> ";
   if (cell.findings > 1) text += "<span class=\"count\">worst of " + std::to_string(cell.findings) + "</span>";
   return text + "</td>";
+}
+
+/// Unknowns of the largest run of a case, where its maker tells.
+constexpr const char* size_key = "degrees_of_freedom";
+
+bool has_size(const Record& record) {
+  return record.provenance.contains(size_key);
 }
 
 std::string matrix(const std::vector<Run>& runs) {
   const std::vector<std::string> quantities = quantities_of(runs);
   std::ostringstream out;
-  out << "<div class=\"wide\"><table id=\"matrix\" class=\"matrix\"><thead><tr><th>Case</th><th>Verdict</th>";
+  out << "<div class=\"wide\"><table class=\"matrix\"><thead><tr><th>Case</th><th>Verdict</th>";
   for (const std::string& quantity : quantities) out << "<th><code>" << column_title(quantity) << "</code></th>";
+  const bool sizes = std::any_of(runs.begin(), runs.end(), [](const Run& run) { return has_size(run.record); });
+  if (sizes) out << "<th class=\"number\">DoF</th>";
   out << "<th class=\"number\">CPU&nbsp;[s]</th></tr></thead><tbody>\n";
   for (const Run& run : runs) {
     out << "<tr><th scope=\"row\"><a href=\"" << html(run.link) << "\">"
         << html(run.record.title.empty() ? run.record.case_name : run.record.title) << "</a><code>"
         << html(run.record.case_name) << "</code></th><td>" << badge(run.record.verdict) << "</td>";
     for (const std::string& quantity : quantities) out << cell_html(cell_of(run.record, quantity));
+    if (sizes)
+      out << "<td class=\"number\">" << (has_size(run.record) ? html(run.record.provenance.at(size_key)) : "–")
+          << "</td>";
     out << "<td class=\"number\">" << html(number_text(run.record.cpu_seconds)) << "</td></tr>\n";
   }
   out << "</tbody></table></div>\n";
@@ -100,22 +113,38 @@ std::string summary(const std::vector<Run>& runs) {
          "</span><span>" + html(duration_text(cpu)) + " of CPU time</span></p>";
 }
 
+std::vector<Run> runs_of(const RunGroup& group, const std::filesystem::path& home) {
+  std::vector<Run> runs;
+  for (const auto& folder : group.folders) {
+    const auto report = std::filesystem::absolute(folder) / "report.html";
+    runs.push_back({read_result(folder / "result.json"), url_path(report.lexically_relative(home).generic_string())});
+  }
+  return runs;
+}
+
 }  // namespace
 
 void write_index(const std::vector<std::filesystem::path>& run_folders, const std::filesystem::path& page,
                  const std::string& title) {
+  write_index(std::vector<RunGroup>{{"", run_folders}}, page, title);
+}
+
+void write_index(const std::vector<RunGroup>& groups, const std::filesystem::path& page, const std::string& title) {
   const std::filesystem::path home = std::filesystem::absolute(page).parent_path();
   make_folder(home);
-  std::vector<Run> runs;
-  for (const auto& folder : run_folders) {
-    const auto report = std::filesystem::absolute(folder) / "report.html";
-    runs.push_back({read_result(folder / "result.json"), url_path(report.lexically_relative(home).generic_string())});
+  std::vector<Run> all;
+  std::string sections;
+  for (const RunGroup& group : groups) {
+    const std::vector<Run> runs = runs_of(group, home);
+    sections += "<section>\n" + (group.title.empty() ? "" : "<h2>" + html(group.title) + "</h2>\n") + matrix(runs) +
+                "</section>\n";
+    all.insert(all.end(), runs.begin(), runs.end());
   }
   const std::string body = "<div class=\"overview\"><header><p class=\"kind\">wetfront · overview</p><h1>" +
-                           html(title) + "</h1>" + summary(runs) + "</header>\n<main><section>\n" + matrix(runs) +
+                           html(title) + "</h1>" + summary(all) + "</header>\n<main>\n" + sections +
                            "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
                            "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
-                           "own uncertainty. A case’s name leads to its report.</p></section></main></div>\n";
+                           "own uncertainty. A case’s name leads to its report.</p></main></div>\n";
   write_whole(page, whole_page(title + " · wetfront", body));
 }
 

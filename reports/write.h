@@ -18,7 +18,14 @@ void write_result(const Record& record, const std::filesystem::path& folder);
 /// Renders report.html again from the folder's result.json (`wetfront report DIR`).
 void render_again(const std::filesystem::path& folder);
 
-/// One page over several runs, with a verdict matrix and a link to each run's own page.
+/// Runs that belong together, e.g. the cases of one suite.
+struct RunGroup {
+  std::string title;  ///< may be empty
+  std::vector<std::filesystem::path> folders;
+};
+
+/// One page over several runs: per group a verdict matrix with a link to each run's own page.
+void write_index(const std::vector<RunGroup>& groups, const std::filesystem::path& page, const std::string& title);
 void write_index(const std::vector<std::filesystem::path>& run_folders, const std::filesystem::path& page,
                  const std::string& title);
 

@@ -169,8 +169,8 @@ class WithJavaScript(Page, unittest.TestCase):
 
     def test_the_index_leads_to_the_reports(self):
         self.open(PAGES / "index.html")
-        self.assertTrue(self.only("#matrix").is_displayed())
-        links = [link.get_attribute("href") for link in self.all("#matrix a")]
+        self.assertTrue(self.only(".matrix").is_displayed())
+        links = [link.get_attribute("href") for link in self.all(".matrix a")]
         self.assertEqual(len(links), 3)
         for link in links:
             self.chromium.get(link)

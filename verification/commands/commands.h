@@ -16,6 +16,7 @@ int run(const Paths& scenes, const std::filesystem::path& out, const ReferenceSt
 int explain(const Paths& scenes);
 int check(const Paths& scenes);
 int reference(const std::filesystem::path& scene, const std::filesystem::path& out, const ReferenceStore& store);
+/// A result folder again from its result.json; of a folder that holds several, the page over all of them.
 int report(const std::filesystem::path& folder);
 int new_scene(const std::string& name);
 int schema(bool as_page);

@@ -100,9 +100,10 @@ int main(int argc, char** argv) {
   verify->add_option("SUITE", arguments.suite, "reference")->required();
   verify->add_option("--out", arguments.out, "output folder (default out/verify_reference)");
 
-  auto* report = add("report", "render a result folder again from its result.json",
-                     [&] { return commands::report(arguments.folder); });
-  report->add_option("DIR", arguments.folder, "folder with a result.json")->required();
+  auto* report =
+      add("report", "render a result folder again from its result.json, or the page over a folder of results",
+          [&] { return commands::report(arguments.folder); });
+  report->add_option("DIR", arguments.folder, "folder with a result.json, or with folders that have one")->required();
 
   auto* fresh =
       add("new", "write a commented scene to start from", [&] { return commands::new_scene(arguments.name); });
