@@ -168,8 +168,11 @@ class Bdf : public TimeIntegrator {
     for (int i = 0; i < self.n_; ++i) {
       const double head = value[self.n_ + i];
       const double open = self.kernel_.open_head(i, head);
-      weight[i] = 1 / (self.tolerances_.relative * std::abs(value[i]) + self.tolerances_.water);
-      weight[self.n_ + i] = 1 / (self.tolerances_.relative * std::abs(head) + self.tolerances_.head + open);
+      const double water = self.tolerances_.relative * std::abs(value[i]) + self.tolerances_.water;
+      const double dry = self.kernel_.open_dry_head(i, head, water);
+      weight[i] = 1 / water;
+      weight[self.n_ + i] =
+          1 / (std::max(self.tolerances_.relative * std::abs(head) + self.tolerances_.head, dry) + open);
     }
     return 0;
   }

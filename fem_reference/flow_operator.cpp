@@ -7,6 +7,13 @@
 #include <numeric>
 
 namespace wetfront::fem_reference {
+namespace {
+
+// Ratio of the largest to the least K at the points of a cell: up to `gentle` they are taken as they are, from `steep`
+// on their mean over the range of heads, in between a blend with continuous slopes.
+constexpr double gentle = 10, steep = 100;
+
+}  // namespace
 
 FlowOperator::FlowOperator(const RichardsProblem& problem, const Discretisation& space, const Boundary& boundary)
     : space_(space),
@@ -30,8 +37,31 @@ FlowOperator::FlowOperator(const RichardsProblem& problem, const Discretisation&
   drained_.resize(boundary.condition_count());
   drive_.resize(points * space.dim);
   conductivity_.resize(points);
+  conductivity_slope_.resize(points * space.dofs_per_cell);
+  sort_shares();
   make_pattern();
   set_time(0);
+}
+
+void FlowOperator::sort_shares() {
+  first_share_.assign(space_.dof_count + 1, 0);
+  for (const StorageShare& share : space_.storage) ++first_share_[share.dof + 1];
+  std::partial_sum(first_share_.begin(), first_share_.end(), first_share_.begin());
+  shares_.resize(space_.storage.size());
+  std::vector<int> next = first_share_;
+  for (const StorageShare& share : space_.storage) {
+    shares_[next[share.dof]++] = {share.soil, share.volume / volume_[share.dof]};
+  }
+}
+
+ValueAndSlope FlowOperator::storage_at(int dof, double head) const {
+  ValueAndSlope sum;
+  for (int k = first_share_[dof]; k < first_share_[dof + 1]; ++k) {
+    const ValueAndSlope w = laws_[shares_[k].first].storage(head);
+    sum.value += shares_[k].second * w.value;
+    sum.slope += shares_[k].second * w.slope;
+  }
+  return sum;
 }
 
 void FlowOperator::set_time(double time) {
@@ -55,13 +85,10 @@ void FlowOperator::evaluate(std::span<const double> head) {
 }
 
 void FlowOperator::evaluate_storage(std::span<const double> head) {
-  std::fill(water_.begin(), water_.end(), 0.0);
-  std::fill(capacity_.begin(), capacity_.end(), 0.0);
-  for (const StorageShare& share : space_.storage) {
-    const ValueAndSlope w = laws_[share.soil].storage(head[share.dof]);
-    const double fraction = share.volume / volume_[share.dof];
-    water_[share.dof] += fraction * w.value;
-    capacity_[share.dof] += fraction * w.slope;
+  for (int i = 0; i < space_.dof_count; ++i) {
+    const ValueAndSlope w = storage_at(i, head[i]);
+    water_[i] = w.value;
+    capacity_[i] = w.slope;
   }
 }
 
@@ -72,22 +99,15 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
   for (int cell = 0; cell < space_.cell_count; ++cell) {
     const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
     const int soil = space_.cell_soil[cell];
-    const SoilLaw& law = laws_[soil];
-    const double factor = factor_.empty() ? 1 : factor_[space_.mesh_cell[cell]];
-    const double* shape = space_.shape_of(cell);
-    for (int q = 0; q < space_.points_per_cell; ++q, ++point, shape += n, gradient += n * dim) {
+    evaluate_conductivity(cell, head);
+    for (int q = 0; q < space_.points_per_cell; ++q, ++point, gradient += n * dim) {
       double* drive = &drive_[point * dim];
-      double psi = 0;
       for (int axis = 0; axis < dim; ++axis) drive[axis] = -gravity_[axis];
       for (int a = 0; a < n; ++a) {
-        const double value = head[dof[a]];
-        psi += shape[a] * value;
-        for (int axis = 0; axis < dim; ++axis) drive[axis] += gradient[a * dim + axis] * value;
+        for (int axis = 0; axis < dim; ++axis) drive[axis] += gradient[a * dim + axis] * head[dof[a]];
       }
       if (!isotropic_[soil]) turn(soil, drive);
-      const ValueAndSlope k = law.conductivity(psi);
-      conductivity_[point] = {factor * k.value, factor * k.slope};
-      const double wk = space_.weight[point] * conductivity_[point].value;
+      const double wk = space_.weight[point] * conductivity_[point];
       for (int a = 0; a < n; ++a) {
         double along = 0;
         for (int axis = 0; axis < dim; ++axis) along += gradient[a * dim + axis] * drive[axis];
@@ -95,6 +115,66 @@ void FlowOperator::evaluate_flow(std::span<const double> head) {
         passing_[dof[a]] += std::abs(wk * along);
       }
     }
+  }
+}
+
+/// K at the points of a cell and its derivatives (README, Eq 3).
+void FlowOperator::evaluate_conductivity(int cell, std::span<const double> head) {
+  const int n = space_.dofs_per_cell, points = space_.points_per_cell;
+  const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
+  const SoilLaw& law = laws_[space_.cell_soil[cell]];
+  const double factor = factor_.empty() ? 1 : factor_[space_.mesh_cell[cell]];
+  const double* shape = space_.shape_of(cell);
+  double* value = &conductivity_[static_cast<std::size_t>(cell) * points];
+  double* slope = &conductivity_slope_[static_cast<std::size_t>(cell) * points * n];
+  int most = 0, least = 0;
+  for (int q = 0; q < points; ++q) {
+    double psi = 0;
+    for (int a = 0; a < n; ++a) psi += shape[q * n + a] * head[dof[a]];
+    const ValueAndSlope k = law.conductivity(psi);
+    value[q] = factor * k.value;
+    for (int a = 0; a < n; ++a) slope[q * n + a] = factor * k.slope * shape[q * n + a];
+    if (value[q] > value[most]) most = q;
+    if (value[q] < value[least]) least = q;
+  }
+  if (value[most] > gentle * value[least]) blend_conductivity(cell, head, factor, most, least);
+}
+
+// Two points per axis see nothing of a front that is thinner than the cell: both heads are nearly the dry one, K is
+// ten decades too small, and a wet node cannot pass its water on. There the mean of K over the range of heads in the
+// cell takes over: on a line that is the exact integral of K(psi_h).
+void FlowOperator::blend_conductivity(int cell, std::span<const double> head, double factor, int most, int least) {
+  const int n = space_.dofs_per_cell, points = space_.points_per_cell;
+  const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
+  const SoilLaw& law = laws_[space_.cell_soil[cell]];
+  double* value = &conductivity_[static_cast<std::size_t>(cell) * points];
+  double* slope = &conductivity_slope_[static_cast<std::size_t>(cell) * points * n];
+  int wet = 0, dry = 0;
+  for (int a = 1; a < n; ++a) {
+    if (head[dof[a]] > head[dof[wet]]) wet = a;
+    if (head[dof[a]] < head[dof[dry]]) dry = a;
+  }
+  constexpr double tiny = 1e-280;
+  static const double width = std::log(steep / gentle);
+  const double high = std::max(tiny, value[most]), low = std::max(tiny, value[least]);
+  const double x = std::min(1.0, std::log(high / low / gentle) / width);
+  const double share = x * x * (3 - 2 * x), share_slope = 6 * x * (1 - x) / width;
+  const double range = head[dof[wet]] - head[dof[dry]];
+  const ValueAndSlope upper = law.conductivity_integral(head[dof[wet]]);
+  const ValueAndSlope lower = law.conductivity_integral(head[dof[dry]]);
+  const double mean = factor * (upper.value - lower.value) / range;
+  std::vector<double>& share_by_head = scratch_;
+  share_by_head.resize(n);
+  for (int a = 0; a < n; ++a) {
+    share_by_head[a] = share_slope * (slope[most * n + a] / high - slope[least * n + a] / low);
+  }
+  for (int q = 0; q < points; ++q) {
+    for (int a = 0; a < n; ++a) {
+      slope[q * n + a] = (1 - share) * slope[q * n + a] + share_by_head[a] * (mean - value[q]);
+    }
+    slope[q * n + wet] += share * (factor * upper.slope - mean) / range;
+    slope[q * n + dry] += share * (mean - factor * lower.slope) / range;
+    value[q] = (1 - share) * value[q] + share * mean;
   }
 }
 
@@ -126,11 +206,10 @@ void FlowOperator::assemble(double tau, SparseMatrix& matrix) const {
   std::size_t point = 0;
   for (int cell = 0; cell < space_.cell_count; ++cell, entry += n * n) {
     const int soil = space_.cell_soil[cell];
-    const double* shape = space_.shape_of(cell);
-    for (int q = 0; q < space_.points_per_cell; ++q, ++point, shape += n, gradient += n * dim) {
+    for (int q = 0; q < space_.points_per_cell; ++q, ++point, gradient += n * dim) {
       const double* drive = &drive_[point * dim];
-      const double wk = tau * space_.weight[point] * conductivity_[point].value;
-      const double wk_slope = tau * space_.weight[point] * conductivity_[point].slope;
+      const double weight = tau * space_.weight[point], wk = weight * conductivity_[point];
+      const double* slope = &conductivity_slope_[point * n];
       const double* conjugate = gradient;  // T grad N_b
       if (!isotropic_[soil]) {
         std::copy_n(gradient, n * dim, turned.begin());
@@ -143,7 +222,7 @@ void FlowOperator::assemble(double tau, SparseMatrix& matrix) const {
         for (int b = 0; b < n; ++b) {
           double diffusion = 0;
           for (int axis = 0; axis < dim; ++axis) diffusion += gradient[a * dim + axis] * conjugate[b * dim + axis];
-          matrix.value[entry[a * n + b]] += wk_slope * shape[b] * along + wk * diffusion;
+          matrix.value[entry[a * n + b]] += weight * slope[b] * along + wk * diffusion;
         }
       }
     }
@@ -188,10 +267,8 @@ void FlowOperator::make_pattern() {
 }
 
 std::vector<double> FlowOperator::water_at(std::span<const double> head) const {
-  std::vector<double> water(space_.dof_count, 0.0);
-  for (const StorageShare& share : space_.storage) {
-    water[share.dof] += share.volume / volume_[share.dof] * laws_[share.soil].storage(head[share.dof]).value;
-  }
+  std::vector<double> water(space_.dof_count);
+  for (int i = 0; i < space_.dof_count; ++i) water[i] = storage_at(i, head[i]).value;
   return water;
 }
 

@@ -37,6 +37,8 @@ class FlowOperator {
   void assemble(double tau, SparseMatrix& matrix) const;
   SparseMatrix pattern() const;
 
+  /// W of one degree of freedom at a head, and its slope, without touching what evaluate() left.
+  ValueAndSlope storage_at(int dof, double head) const;
   /// W alone, without touching what evaluate() left.
   std::vector<double> water_at(std::span<const double> head) const;
   /// Water in the soil for given W [m^dim].
@@ -51,7 +53,10 @@ class FlowOperator {
  private:
   void evaluate_storage(std::span<const double> head);
   void evaluate_flow(std::span<const double> head);
+  void evaluate_conductivity(int cell, std::span<const double> head);
+  void blend_conductivity(int cell, std::span<const double> head, double factor, int most, int least);
   void evaluate_drainage(std::span<const double> head);
+  void sort_shares();
   void make_pattern();
   void turn(int soil, double* vector) const;
 
@@ -63,10 +68,14 @@ class FlowOperator {
   std::vector<std::array<double, 6>> anisotropy_;  ///< T per soil
   std::vector<double> volume_, water_, capacity_, inflow_, passing_, drained_, drainage_slope_;
   std::function<double(const meshes::Point&, double)> source_function_;
-  std::vector<double> source_;               ///< m_i f(x_i, t); empty without a source
-  std::vector<double> factor_;               ///< per mesh cell, times Ks; empty: 1
-  std::vector<double> drive_;                ///< T (grad psi - g), [cell][point][axis]
-  std::vector<ValueAndSlope> conductivity_;  ///< [cell][point]
+  std::vector<double> source_;              ///< m_i f(x_i, t); empty without a source
+  std::vector<double> factor_;              ///< per mesh cell, times Ks; empty: 1
+  std::vector<double> drive_;               ///< T (grad psi - g), [cell][point][axis]
+  std::vector<double> conductivity_;        ///< [cell][point]
+  std::vector<double> conductivity_slope_;  ///< dK/dpsi_b, [cell][point][local dof]
+  std::vector<double> scratch_;
+  std::vector<std::pair<int, double>> shares_;  ///< soil and part of the volume, by dof
+  std::vector<int> first_share_;                ///< [dof] -> shares_
   SparseMatrix pattern_;
   std::vector<int> diagonal_;  ///< [dof] -> entry
   std::vector<int> entry_;     ///< [cell][local row][local column] -> entry

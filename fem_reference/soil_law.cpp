@@ -44,6 +44,16 @@ SoilLaw::SoilLaw(const Soil& soil, double unit_weight) : soil_(soil), conductivi
     for (double k : table->relative) logarithm.push_back(std::log(k));
     log_conductivity_table_ = MonotoneCubic(table->head, logarithm);
   }
+  // Mualem's K of van Genuchten's curve with n < 2 falls from Ks with a vertical tangent (by half within 1e-6 m where
+  // n = 1.1), which no Newton passes: a cubic within the first tenth of a millimetre.
+  if (const auto* law = std::get_if<VanGenuchten>(&soil_.retention);
+      law != nullptr && law->n < 2 && conductivity_entry_ == 0 &&
+      std::holds_alternative<MualemConductivity>(soil_.conductivity)) {
+    constexpr double top = 1e-4;  // m
+    at_top_ = conductivity(-top);
+    smooth_top_ = top;
+  }
+  conductivity_integral_ = ConductivityIntegral([&](double head) { return conductivity(head).value; });
   if (soil.oedometer_modulus > 0) {
     skeleton_.emplace(
         -air_entry_, [&](double head) { return skeleton_rate(head, unit_weight); },
@@ -92,8 +102,16 @@ ValueAndSlope SoilLaw::storage(double head) const {
 
 ValueAndSlope SoilLaw::conductivity(double head) const {
   if (head >= -conductivity_entry_) return {soil_.saturated_conductivity, 0};
+  if (head > -smooth_top_) return conductivity_near_saturation(head);
   const ValueAndSlope kr = relative_conductivity(head);
   return {conductivity_scale_ * kr.value, conductivity_scale_ * kr.slope};
+}
+
+ValueAndSlope SoilLaw::conductivity_near_saturation(double head) const {
+  const double t = -head / smooth_top_;  // 0 at saturation, where K is flat
+  const double drop = soil_.saturated_conductivity - at_top_.value, slope = smooth_top_ * at_top_.slope;
+  const double c2 = 3 * drop - slope, c3 = slope - 2 * drop;
+  return {soil_.saturated_conductivity - t * t * (c2 + t * c3), t * (2 * c2 + 3 * t * c3) / smooth_top_};
 }
 
 ValueAndSlope SoilLaw::relative_conductivity(double head) const {

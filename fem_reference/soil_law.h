@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem_reference/conductivity_integral.h"
 #include "fem_reference/monotone_cubic.h"
 #include "fem_reference/skeleton_storage.h"
 #include "fem_reference/soil_curves.h"
@@ -21,6 +22,8 @@ class SoilLaw {
   ValueAndSlope storage(double head) const;
   /// K [m/s] and dK/dpsi [1/s]; Ks where saturated.
   ValueAndSlope conductivity(double head) const;
+  /// Integral of K over the head [m2/s] and K.
+  ValueAndSlope conductivity_integral(double head) const { return conductivity_integral_(head); }
   /// S = theta / n [-].
   double saturation(double head) const { return water_content(head).value / porosity_; }
   double porosity() const { return porosity_; }
@@ -31,6 +34,7 @@ class SoilLaw {
 
  private:
   ValueAndSlope relative_conductivity(double head) const;
+  ValueAndSlope conductivity_near_saturation(double head) const;
   /// S (chi + p dchi/dp) / E_oed per m of head [1/m].
   double skeleton_rate(double head, double unit_weight) const;
 
@@ -38,10 +42,13 @@ class SoilLaw {
   double theta_r_ = 0, theta_s_ = 0, porosity_ = 0;
   double air_entry_ = 0;           ///< of the content [m]
   double conductivity_entry_ = 0;  ///< K = Ks for psi >= -this [m]
+  double smooth_top_ = 0;          ///< K is a cubic for psi in [-this, 0] [m]
+  ValueAndSlope at_top_;           ///< K and its slope there
   double content_scale_ = 1;       ///< (theta_s - theta_r) / Se(-air_entry) of a law with a cut-off
   double conductivity_scale_ = 1;  ///< Ks / Kr(-air_entry) of a law with a cut-off [m/s]
   MonotoneCubic content_table_, log_conductivity_table_;
   std::optional<SkeletonStorage> skeleton_;
+  ConductivityIntegral conductivity_integral_;
 };
 
 }  // namespace wetfront::fem_reference

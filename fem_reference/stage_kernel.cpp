@@ -37,6 +37,7 @@ std::vector<FlatTop> flat_tops(const std::vector<SoilLaw>& laws, double drop) {
 StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary, double newton_tolerance)
     : flow_(flow),
       boundary_(boundary),
+      limit_(flow),
       newton_tolerance_(newton_tolerance),
       flat_tops_(flat_tops(flow.laws(), newton_tolerance)),
       matrix_(flow.pattern()),
@@ -74,6 +75,11 @@ double StageKernel::open_head(int dof, double head) const {
   }
   const double capacity = flow_.capacity()[dof];
   return capacity > 0 ? std::min(widest, newton_tolerance_ / capacity) : 0;
+}
+
+double StageKernel::open_dry_head(int dof, double head, double water) const {
+  const double capacity = flow_.capacity()[dof];
+  return head < limit_.bend(dof) && capacity > 0 ? water / capacity : 0;
 }
 
 void StageKernel::evaluate(std::span<const double> head) {
@@ -184,7 +190,9 @@ bool StageKernel::newton_step(double tau, std::span<double> head) {
     const CostTimer timer(linear_solve_cost);
     if (!linear_->solve(matrix_, residual_)) return false;
   }
-  for (std::size_t i = 0; i < head.size(); ++i) head[i] -= residual_[i];
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    head[i] = limit_.moved(static_cast<int>(i), head[i], -residual_[i]);
+  }
   for (std::size_t h = 0; h < mode_.size(); ++h) {
     if (is_held(h)) head[boundary_.held()[h].dof] = held_head(h);  // exactly, not to rounding
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem_reference/flow_operator.h"
+#include "fem_reference/wetting_limit.h"
 
 #include <span>
 #include <string>
@@ -54,6 +54,8 @@ class StageKernel {
   /// How far psi at a dof may be off [m] although W is right to the Newton tolerance: that tolerance over the capacity
   /// at the last evaluation, near saturation (where the capacity may vanish) the head at which W has dropped by it.
   double open_head(int dof, double head) const;
+  /// The same on the dry side, where the capacity falls to nothing, for W right to `water`; 0 elsewhere [m].
+  double open_dry_head(int dof, double head, double water) const;
 
   /// Why the last solve() failed.
   struct Failure {
@@ -88,6 +90,7 @@ class StageKernel {
 
   FlowOperator& flow_;
   Boundary& boundary_;
+  WettingLimit limit_;
   double newton_tolerance_;
   std::vector<FlatTop> flat_tops_;  ///< per soil
   std::vector<Mode> mode_;          ///< per held dof of kind rain: the active set
