@@ -37,8 +37,8 @@ int guarded(const std::function<int()>& command) {
 struct Arguments {
   commands::Paths scenes;
   std::filesystem::path scene, folder, out;
-  std::string name, suite;
-  bool page = false, no_store = false;
+  std::string name, suite, only;
+  bool page = false, no_store = false, heavy = false;
   wetfront::verification::ReferenceStore store{"out/.references"};
 };
 
@@ -95,10 +95,12 @@ int main(int argc, char** argv) {
   auto* verify = add("verify", "the suites of closed forms and cases", [&] {
     if (arguments.suite != "reference")
       throw std::invalid_argument("there is no suite '" + arguments.suite + "' (there is: reference). Choose that");
-    return commands::verify_reference(arguments.out);
+    return commands::verify_reference(arguments.out, arguments.heavy, arguments.only);
   });
   verify->add_option("SUITE", arguments.suite, "reference")->required();
   verify->add_option("--out", arguments.out, "output folder (default out/verify_reference)");
+  verify->add_flag("--heavy", arguments.heavy, "also the cases that take long (minutes in all)");
+  verify->add_option("--only", arguments.only, "only cases whose name contains this");
 
   auto* report =
       add("report", "render a result folder again from its result.json, or the page over a folder of results",

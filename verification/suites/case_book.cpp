@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wetfront::verification {
 namespace {
@@ -23,11 +24,11 @@ constexpr double reference_tolerance = 1e-6;
 
 double relative_imbalance(const meshes::FieldHistory& history) {
   const auto& ledger = history.ledger;
-  double passed = ledger.back().infiltrated, sides = 0;
-  for (const auto& [name, value] : history.counters)
-    if (name.starts_with("outflow through ") || name.starts_with("evaporated through ")) sides += std::abs(value);
-  passed += sides > 0 ? sides : std::abs(ledger.back().outflow);
-  double worst = 0;
+  double passed = 0, worst = 0;
+  for (const meshes::SideLedger& side : history.sides)
+    for (std::size_t i = 1; i < side.outflow.size(); ++i)
+      passed += std::abs(side.asked[i] - side.run_off[i] - side.asked[i - 1] + side.run_off[i - 1]) +
+                std::abs(side.outflow[i] - side.outflow[i - 1]) + std::abs(side.evaporated[i] - side.evaporated[i - 1]);
   for (const auto& row : ledger) {
     const double error = row.stored - ledger.front().stored - row.infiltrated + row.outflow;
     worst = std::isfinite(error) ? std::max(worst, std::abs(error)) : std::numeric_limits<double>::infinity();

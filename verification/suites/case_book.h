@@ -62,8 +62,8 @@ class CaseBook {
   double degrees_of_freedom_ = 0;
 };
 
-/// Largest |stored - stored_0 - infiltrated + outflow| over the run, relative to |inflow| + |outflow| of its end, side
-/// by side: water that passes from one side to another counts twice, water that only ran off not at all.
+/// Largest |stored - stored_0 - infiltrated + outflow| over the run, relative to |inflow| + |outflow|: all that passed
+/// any side (or came from a source), step by step in either direction. Water that only ran off does not count.
 double relative_imbalance(const meshes::FieldHistory& history);
 
 }  // namespace wetfront::verification

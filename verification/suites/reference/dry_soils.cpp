@@ -94,6 +94,7 @@ fem::RichardsProblem caisson_problem(int cells, bool wetting) {
   fem::RichardsProblem problem = wetting ? column(6, cells, caisson_dry, {2.08 * day, 4.16 * day})
                                          : column(6, cells, 0, {1 * day, 4 * day, 20 * day, 100 * day});
   problem.soils = {van_genuchten_soil(caisson)};
+  problem.soils[0].specific_storage = 0.33 * caisson_weight / 2e7;  // MOOSE's water: 20 MPa
   if (wetting)
     problem.boundary = {fem::RainSide{"top", {{0}, {recharge}}}};
   else

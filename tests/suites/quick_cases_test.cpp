@@ -1,0 +1,16 @@
+// Every case of the reference's suite that takes less than a second.
+#include "tests/suites/expect_case.h"
+
+namespace wetfront::verification {
+namespace {
+
+using namespace testing;
+
+TEST_P(SuiteCase, Passes) {
+  expect_pass(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Reference, SuiteCase, ::testing::ValuesIn(cases_up_to(Effort::quick)), case_name);
+
+}  // namespace
+}  // namespace wetfront::verification
