@@ -49,7 +49,11 @@ class SpaceFiller {
 
   void fill_cells() {
     const dealii::QGauss<dim> gauss(problem_.degree + 1);
-    const dealii::QGaussLobatto<dim> nodal(problem_.degree + 1);  // points = nodes: the lumped mass
+    // The lumped mass: the integral of the shape function, which nests and keeps the volume of distorted cells; beyond
+    // degree 1, where that may vanish, the weights of the Gauss-Lobatto rule whose points are the nodes.
+    const dealii::QGaussLobatto<dim> nodes(problem_.degree + 1);
+    const dealii::Quadrature<dim>& nodal =
+        problem_.degree == 1 ? static_cast<const dealii::Quadrature<dim>&>(gauss) : nodes;
     dealii::FEValues<dim> values(mapping_, fe_, gauss, dealii::update_gradients | dealii::update_JxW_values);
     dealii::FEValues<dim> lumped(mapping_, fe_, nodal, dealii::update_values | dealii::update_JxW_values);
     out_.points_per_cell = static_cast<int>(gauss.size());

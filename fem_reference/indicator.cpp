@@ -8,7 +8,7 @@ namespace {
 // Joined cells show up to twice the change of their parts; well below the threshold, so that they stay joined a while.
 constexpr double join_below = 0.2;
 // Cells around a front that are halved with it: the way it may go until the mesh must follow.
-constexpr int layers = 2;
+constexpr int layers = 3;
 
 }  // namespace
 
@@ -42,6 +42,12 @@ bool Indicator::due(const Discretisation& space, const std::vector<SoilLaw>& law
   return false;
 }
 
+bool Indicator::mostly_joinable(const Discretisation& space, const std::vector<SoilLaw>& laws,
+                                std::span<const double> head) const {
+  const std::vector<Space::Mark> found = marks(space, laws, head);
+  return 2 * std::count(found.begin(), found.end(), Space::Mark::join) > space.cell_count;
+}
+
 // Cells that share an unknown with a cell that wants a level want it too, layer by layer.
 void Indicator::spread(const Discretisation& space, std::vector<int>& level) const {
   std::vector<int> at_dof(space.dof_count);
@@ -67,10 +73,10 @@ std::vector<Space::Mark> Indicator::marks(const Discretisation& space, const std
   std::vector<int> wanted(space.cell_count);
   for (int cell = 0; cell < space.cell_count; ++cell) {
     const int level = space.box[cell].level;
-    if (found[cell] > threshold || threshold == 0) {
+    if (found[cell] > threshold || threshold == 0) {  // 0: everywhere
       wanted[cell] = std::min(level + 1, adaptivity_.levels);
     } else {
-      wanted[cell] = found[cell] < join_below * threshold ? level - 1 : level;
+      wanted[cell] = found[cell] < join_below * threshold ? std::max(0, level - 1) : level;
     }
   }
   std::vector<int> spread_level(space.cell_count, 0);

@@ -17,6 +17,9 @@ class Indicator {
                              std::span<const double> head) const;
   /// Some cell that may still be halved shows more than the threshold.
   bool due(const Discretisation& space, const std::vector<SoilLaw>& laws, std::span<const double> head) const;
+  /// Most cells could be joined: a front is gone.
+  bool mostly_joinable(const Discretisation& space, const std::vector<SoilLaw>& laws,
+                       std::span<const double> head) const;
   std::vector<Space::Mark> marks(const Discretisation& space, const std::vector<SoilLaw>& laws,
                                  std::span<const double> head) const;
 

@@ -264,6 +264,20 @@ void check_gravity(const RichardsProblem& problem) {
           " (must be a unit vector, or zero for no gravity)");
 }
 
+void check_adaptivity(const RichardsProblem& problem) {
+  if (!problem.adaptivity) return;
+  const auto& [levels, threshold] = *problem.adaptivity;
+  require(levels >= 0 && levels <= 8, "adaptivity.levels: ", levels, " (0 to 8 halvings)");
+  require(threshold >= 0 && std::isfinite(threshold), "adaptivity.threshold: ", threshold,
+          " (a water content, not negative)");
+  require(problem.degree == 1, "adaptivity: hanging nodes are written for linear elements (degree is ", problem.degree,
+          ")");
+  for (std::size_t b = 0; b < problem.boundary.size(); ++b) {
+    require(!std::holds_alternative<PeriodicSides>(problem.boundary[b]), entry("boundary", b),
+            ": periodic sides and adaptivity exclude each other (partners would have to be halved alike)");
+  }
+}
+
 }  // namespace
 
 void check_problem(const RichardsProblem& problem) {
@@ -285,6 +299,7 @@ void check_problem(const RichardsProblem& problem) {
   require(problem.tolerance > 0 && problem.tolerance <= 0.1, "tolerance: ", problem.tolerance,
           " (must lie in (0, 0.1])");
   require(problem.degree >= 1 && problem.degree <= 4, "degree: ", problem.degree, " (1 to 4)");
+  check_adaptivity(problem);
 }
 
 }  // namespace wetfront::fem_reference

@@ -23,7 +23,8 @@ class RecordMesh {
   /// The same at the centres of the cells of mesh().
   std::vector<double> at_cells(const Discretisation& space, std::span<const double> field) const;
 
-  /// Volume around a node that belongs to one soil, as the lumped mass has it.
+  /// Volume around a node that belongs to one soil (Gauss-Lobatto's weights; it only weighs saturations where soils
+  /// meet).
   struct NodeShare {
     int node, soil;
     double volume;

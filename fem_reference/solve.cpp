@@ -5,7 +5,8 @@
 #include "fem_reference/transfer.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace wetfront::fem_reference {
@@ -30,10 +31,9 @@ class Run {
         const double stop = next_stop();
         step(stop);
         if (state_.time == stop) take_snapshots();
-        const bool follows = indicator_ && indicator_->due(system_->space, system_->flow.laws(), state_.head);
-        const bool breaks = at_break();
-        const bool moved = follows && adapt();
-        if (moved || breaks) restart(breaks);
+        const bool breaks = at_break(), moved = wants_other_mesh() && adapt();
+        if (breaks) system_->boundary.set_time(state_.time);
+        if (breaks || moved) restart();
       }
     } catch (const StepFailure& failure) {
       recorder_.note(failure.what());
@@ -46,10 +46,11 @@ class Run {
   void begin() {
     take_initial_state();
     if (indicator_) adapt_to_initial_state();
+    system_->boundary.set_time(0);
     recorder_.attach(system_->flow, system_->boundary, state_);
     recorder_.record_step(state_);
     take_snapshots();
-    restart(true);
+    restart();
   }
 
   void take_initial_state() {
@@ -64,22 +65,37 @@ class Run {
       system_->boundary.set_time(0);
       std::vector<double> head = state_.head;
       system_->kernel.make_consistent(head);
-      if (!space_.adapt(indicator_->marks(system_->space, system_->flow.laws(), head))) return;
+      if (!space_.adapt(marks(head))) return;
       effort_.add(*system_);
       system_ = std::make_unique<System>(problem_, space_.discretisation());
       take_initial_state();
     }
   }
 
+  std::vector<Space::Mark> marks(const std::vector<double>& head) const {
+    return indicator_->marks(system_->space, system_->flow.laws(), head);
+  }
+
+  bool wants_other_mesh() const {
+    if (!indicator_) return false;
+    constexpr long steps_between_looks = 50;  // at what lies behind; joining saves work, but is not urgent
+    const std::vector<SoilLaw>& laws = system_->flow.laws();
+    return indicator_->due(system_->space, laws, state_.head) ||
+           (steps_ % steps_between_looks == 0 && indicator_->mostly_joinable(system_->space, laws, state_.head));
+  }
+
   // One pass halves a cell once; what comes to light then may ask for more.
   bool adapt() {
     bool changed = false;
     for (int pass = 0; pass <= problem_.adaptivity->levels; ++pass) {
-      if (!space_.adapt(indicator_->marks(system_->space, system_->flow.laws(), state_.head))) break;
+      if (!space_.adapt(marks(state_.head))) break;
       move_to(std::make_unique<System>(problem_, space_.discretisation()));
       changed = true;
     }
-    if (changed) ++adapts_;
+    if (changed) {
+      make_boundary_consistent();
+      ++adapts_;
+    }
     return changed;
   }
 
@@ -114,9 +130,8 @@ class Run {
     }
   }
 
-  void restart(bool at_break) {
-    if (at_break) system_->boundary.set_time(state_.time);
-    if (state_.time == 0 || !at_break || system_->boundary.heads_move()) make_boundary_consistent();
+  void restart() {
+    if (state_.time == 0 || system_->boundary.heads_move()) make_boundary_consistent();
     system_->integrator->start(state_);
   }
 

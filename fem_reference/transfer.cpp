@@ -137,71 +137,79 @@ struct Patch {
   std::vector<int> cells;  ///< of the new mesh
 };
 
-/// Water to be given to each dof.
-std::vector<double> corrections(const FlowOperator& to, std::span<const double> head, const std::vector<char>& fixed,
-                                const std::map<Box, Patch>& patches) {
-  std::vector<double> given(head.size(), 0.0);
-  for (const auto& [box, patch] : patches) {
-    std::vector<std::pair<int, double>> share;
-    double sum = 0;
+/// Puts water that a patch lacks back by one shift of its heads, which shares it by volume times capacity to first
+/// order.
+class Filler {
+ public:
+  Filler(const FlowOperator& flow, const std::vector<char>& fixed, std::vector<double>& head)
+      : flow_(flow), fixed_(fixed), head_(head), first_(flow.space().dof_count + 1, 0) {
+    for (const StorageShare& share : flow.space().storage) ++first_[share.dof + 1];  // sorted by dof
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  }
+
+  void fill(const Patch& patch) {
+    dofs_.clear();
     for (const int cell : patch.cells) {
-      const SoilLaw& law = to.laws()[to.space().cell_soil[cell]];
-      visit_volumes(to.space(), cell, [&](int dof, double volume) {
-        if (fixed[dof]) return;
-        share.emplace_back(dof, volume * law.storage(head[dof]).slope);
-        sum += share.back().second;
+      visit_volumes(flow_.space(), cell, [&](int dof, double) {
+        if (!fixed_[dof]) dofs_.push_back(dof);
       });
     }
-    for (const auto& [dof, weight] : share) {
-      if (sum > 0) given[dof] += patch.defect * (weight / sum);
+    std::sort(dofs_.begin(), dofs_.end());
+    dofs_.erase(std::unique(dofs_.begin(), dofs_.end()), dofs_.end());
+    start_ = 0;
+    start_ = gained(0).value;
+    const double shift = find_shift(patch.defect);
+    for (const int dof : dofs_) head_[dof] = shifted(dof, shift);
+  }
+
+ private:
+  // Unsaturated soil fills up to saturation, not to a pressure: the boundary could not have imposed that.
+  double shifted(int dof, double shift) const {
+    return head_[dof] > 0 ? head_[dof] + shift : std::min(0.0, head_[dof] + shift);
+  }
+
+  /// Water that the patch's dofs hold when shifted, beyond what they hold now [m^dim], and its derivative.
+  ValueAndSlope gained(double shift) const {
+    ValueAndSlope sum{-start_, 0};
+    for (const int dof : dofs_) {
+      const double head = shifted(dof, shift);
+      for (int k = first_[dof]; k < first_[dof + 1]; ++k) {
+        const StorageShare& share = flow_.space().storage[k];
+        const ValueAndSlope w = flow_.laws()[share.soil].storage(head);
+        sum.value += share.volume * w.value;
+        if (head != 0) sum.slope += share.volume * w.slope;
+      }
     }
+    return sum;
   }
-  return given;
-}
 
-/// The soils around a degree of freedom and their volumes.
-using Shares = std::span<const StorageShare>;
+  /// By Newton within a bracket; as far as possible where the patch has no room for so much, or not so much to give.
+  double find_shift(double defect) const {
+    double near = 0, far = defect > 0 ? 1e-3 : -1e-3;
+    while (std::abs(gained(far).value) < std::abs(defect)) {
+      near = far;
+      far *= 4;
+      if (std::abs(far) > 1e3) return near;
+    }
+    double low = std::min(near, far), high = std::max(near, far), shift = near;
+    for (int iteration = 0; iteration < 100; ++iteration) {
+      const ValueAndSlope found = gained(shift);
+      (found.value > defect ? high : low) = shift;
+      const double next = found.slope > 0 ? shift - (found.value - defect) / found.slope : low;
+      const double inside = next > low && next < high ? next : 0.5 * (low + high);
+      if (inside == shift || next == shift) break;
+      shift = inside;
+    }
+    return shift;
+  }
 
-ValueAndSlope water_in(const FlowOperator& flow, Shares shares, double head) {
-  ValueAndSlope sum{0, 0};
-  for (const StorageShare& share : shares) {
-    const ValueAndSlope w = flow.laws()[share.soil].storage(head);
-    sum.value += share.volume * w.value;
-    sum.slope += share.volume * w.slope;
-  }
-  return sum;
-}
-
-/// The head at which a degree of freedom holds `target` [m^dim], not above the larger of `start` and saturation;
-/// `start` where it can not hold so little.
-double head_for(const FlowOperator& flow, Shares shares, double target, double start) {
-  double high = std::max(start, 0.0), low = start - 1;
-  if (water_in(flow, shares, high).value <= target) return high;
-  for (double step = 1; water_in(flow, shares, low).value > target; step *= 2, low -= step) {
-    if (step > 1e6) return start;
-  }
-  double head = start;
-  for (int iteration = 0; iteration < 100 && high - low > 1e-15 * std::abs(low); ++iteration) {
-    const ValueAndSlope w = water_in(flow, shares, head);
-    (w.value > target ? high : low) = head;
-    const double next = w.slope > 0 ? head - (w.value - target) / w.slope : low;
-    if (next == head) break;
-    head = next > low && next < high ? next : 0.5 * (low + high);
-  }
-  return head;
-}
-
-/// Changes heads so that each dof holds `given` [m^dim] more.
-void give(const FlowOperator& flow, const std::vector<double>& given, std::vector<double>& head) {
-  const std::vector<StorageShare>& storage = flow.space().storage;  // sorted by dof
-  for (std::size_t first = 0, last = 0; first < storage.size(); first = last) {
-    const int dof = storage[first].dof;
-    while (last < storage.size() && storage[last].dof == dof) ++last;
-    if (given[dof] == 0) continue;
-    const Shares shares(&storage[first], last - first);
-    head[dof] = head_for(flow, shares, water_in(flow, shares, head[dof]).value + given[dof], head[dof]);
-  }
-}
+  const FlowOperator& flow_;
+  const std::vector<char>& fixed_;
+  std::vector<double>& head_;
+  std::vector<int> first_;  ///< [dof] -> its first share of the storage
+  std::vector<int> dofs_;   ///< of the patch
+  double start_ = 0;        ///< water they hold
+};
 
 }  // namespace
 
@@ -223,7 +231,10 @@ Transferred transfer(const FlowOperator& from, std::span<const double> head, con
     patch.cells.push_back(cell);
   }
   for (const auto& [key, patch] : patches) result.moved += std::abs(patch.defect);
-  give(to, corrections(to, result.head, fixed, patches), result.head);
+  Filler filler(to, fixed, result.head);
+  for (const auto& [key, patch] : patches) {
+    if (patch.defect != 0) filler.fill(patch);
+  }
   result.lost = from.stored(from.water_at(head)) - to.stored(to.water_at(result.head));
   return result;
 }

@@ -12,8 +12,8 @@ struct Transferred {
 };
 
 /// Interpolates heads from one refinement of the mesh to another (README, Eq 8): exact where nothing changed. The water
-/// that each changed patch gains or loses by that is taken from or given to its own degrees of freedom, by volume times
-/// capacity, but not to those of which `fixed` says that their head is given.
+/// that each changed patch gains or loses by that is taken from or given to its own degrees of freedom by shifting
+/// their heads alike, but not those of which `fixed` says that their head is given.
 Transferred transfer(const FlowOperator& from, std::span<const double> head, const FlowOperator& to,
                      const std::vector<char>& fixed);
 
