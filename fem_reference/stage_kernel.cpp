@@ -17,6 +17,14 @@ bool stalls(const std::vector<double>& residuals) {
   return n > max_iterations || (n > patience && residuals[n - 1] > steady_decrease * residuals[n - 2]);
 }
 
+/// Newton's steps are taken whole; where they have long gone in circles (K with a vertical tangent), half as far each
+/// time that the residual has not fallen by half, and twice as far when it has.
+double share_of_step(const std::vector<double>& residuals, double share) {
+  const std::size_t n = residuals.size();
+  if (n <= patience / 2) return 1;
+  return residuals[n - 1] > 0.5 * residuals[n - 2] ? std::max(0.125, 0.5 * share) : std::min(1.0, 2 * share);
+}
+
 /// Per soil: the head at which it fills and how far below that theta has dropped by `drop` [m], by bisection.
 std::vector<FlatTop> flat_tops(const std::vector<SoilLaw>& laws, double drop) {
   std::vector<FlatTop> tops;
@@ -175,7 +183,7 @@ void StageKernel::hold_rows(std::span<const double> head) {
   }
 }
 
-bool StageKernel::newton_step(double tau, std::span<double> head) {
+bool StageKernel::newton_step(double tau, std::span<double> head, double share) {
   flow_.assemble(tau, matrix_);
   constexpr double eps = std::numeric_limits<double>::epsilon();
   for (int i = 0; i < matrix_.size(); ++i) {
@@ -191,7 +199,7 @@ bool StageKernel::newton_step(double tau, std::span<double> head) {
     if (!linear_->solve(matrix_, residual_)) return false;
   }
   for (std::size_t i = 0; i < head.size(); ++i) {
-    head[i] = limit_.moved(static_cast<int>(i), head[i], -residual_[i]);
+    head[i] = limit_.moved(static_cast<int>(i), head[i], -share * residual_[i]);
   }
   for (std::size_t h = 0; h < mode_.size(); ++h) {
     if (is_held(h)) head[boundary_.held()[h].dof] = held_head(h);  // exactly, not to rounding
@@ -204,6 +212,7 @@ bool StageKernel::solve(std::span<const double> target, double tau, std::span<do
   failure_ = {};
   const std::vector<Mode> mode_before = mode_;
   std::fill(rounding_.begin(), rounding_.end(), 0.0);
+  double share = 1;
   for (int iteration = 0;; ++iteration) {
     evaluate(head);
     residual(target, tau);
@@ -214,11 +223,12 @@ bool StageKernel::solve(std::span<const double> target, double tau, std::span<do
     // The guess itself must be far better than that: a step so small that it changes less than the tolerance would
     // otherwise pass without doing anything, and its rain would be lost.
     if (!changed && ratio <= (iteration == 0 ? 1e-3 : 1)) return true;
+    share = share_of_step(failure_.residuals, share);
     if (!std::isfinite(ratio)) {
       failure_.reason = "the residual is not a number";
     } else if (stalls(failure_.residuals)) {
       failure_.reason = "no convergence in " + std::to_string(iteration) + " Newton iterations";
-    } else if (!newton_step(tau, head)) {
+    } else if (!newton_step(tau, head, share)) {
       failure_.reason = "the Jacobian is singular";
     }
     if (!failure_.reason.empty()) break;

@@ -76,7 +76,7 @@ class StageKernel {
   void residual(std::span<const double> target, double tau);
   bool update_active_set(double tau, std::span<const double> head);
   double worst_residual(int& dof, double& ratio) const;
-  bool newton_step(double tau, std::span<double> head);
+  bool newton_step(double tau, std::span<double> head, double share);
   void hold_rows(std::span<const double> head);
   /// What a rain side does at a dof: passes everything; ponded at psi = 0; at psi = lowest with part of the demand met;
   /// drier than that with none.
