@@ -52,7 +52,7 @@ void write_bound(std::ostream& out, const Finding& finding) {
   out << html(quantity_text(finding.reference_bound, finding.unit, 2));
   if (finding.reference_convergence.empty()) return;
   out << "<p class=\"explanation\">" << html(finding.reference_convergence);
-  if (!std::isnan(finding.reference_order)) out << ", order " << html(number_text(finding.reference_order, 2));
+  if (!std::isnan(finding.reference_order)) out << ", order " << html(number_text(finding.reference_order));
   out << "</p>";
 }
 

@@ -56,6 +56,8 @@ void estimate_in_space(ReferenceError& error, const ReferenceValues& values, con
 
 const char* word(Convergence convergence) {
   switch (convergence) {
+    case Convergence::none:
+      return "";
     case Convergence::monotone:
       return "monotone";
     case Convergence::oscillatory:

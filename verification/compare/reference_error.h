@@ -9,13 +9,14 @@ namespace wetfront::verification {
 
 /// How the solutions on three meshes, each with cells half as large as the one before, approach each other.
 enum class Convergence {
+  none,         ///< no meshes were compared
   monotone,     ///< the changes shrink and point the same way
   oscillatory,  ///< they shrink and point back
   divergent,    ///< they do not shrink
   settled,      ///< they are below what the time integration leaves open: the mesh no longer matters
   two_meshes,   ///< there is no coarser mesh: an order cannot be observed
 };
-const char* word(Convergence convergence);
+const char* word(Convergence convergence);  ///< "" for none
 
 /// What the reference does not know about one of its own quantities, in the unit of the quantity's error.
 struct ReferenceError {
@@ -24,7 +25,7 @@ struct ReferenceError {
   double temporal = 0;  ///< of its tolerance
   /// Observed order in the cell size; NaN unless monotone.
   double order = std::numeric_limits<double>::quiet_NaN();
-  Convergence convergence = Convergence::two_meshes;
+  Convergence convergence = Convergence::none;
 };
 
 /// One quantity (a number, or a field read at the same places) from the reference and its relatives.

@@ -34,7 +34,7 @@ Finding finding_of(const Measurement& measurement, double cpu_seconds) {
   finding.unit = quantity.unit;
   finding.error = measurement.error;
   finding.reference_bound = measurement.reference.bound;
-  if (measurement.reference.bound > 0) finding.reference_convergence = word(measurement.reference.convergence);
+  finding.reference_convergence = word(measurement.reference.convergence);
   finding.reference_order = measurement.reference.order;
   finding.cpu_s = cpu_seconds;
   finding.explanation = measurement.explanation;

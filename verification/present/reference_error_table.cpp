@@ -18,7 +18,7 @@ reports::Table reference_error_table(const std::vector<Measurement>& measurement
   table.header = {"quantity", "bound", "of the mesh", "of time", "convergence", "order"};
   for (const Measurement& measurement : measurements) {
     const ReferenceError& error = measurement.reference;
-    if (!(error.bound > 0) || error.spatial + error.temporal == 0) continue;
+    if (error.convergence == Convergence::none || std::isnan(error.bound)) continue;
     table.rows.push_back({measurement.description, fmt::format("{:.2g}", error.bound),
                           fmt::format("{:.2g}", error.spatial), fmt::format("{:.2g}", error.temporal),
                           word(error.convergence), std::isnan(error.order) ? "-" : fmt::format("{:.2f}", error.order)});
