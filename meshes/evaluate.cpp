@@ -50,10 +50,77 @@ std::array<double, 2> local_coordinates(const Mesh& mesh, std::span<const int> c
   return {r, s};
 }
 
+/// Trilinear weights of the unit cube at (r, s, t), in gmsh's order, and their slopes along the three axes.
+struct Trilinear {
+  std::array<double, 8> weight;
+  std::array<std::array<double, 8>, 3> slope;
+};
+Trilinear trilinear(const std::array<double, 3>& at) {
+  static constexpr int corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                       {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  Trilinear out{};
+  for (int c = 0; c < 8; ++c) {
+    std::array<double, 3> along, change;
+    for (int axis = 0; axis < 3; ++axis) {
+      along[axis] = corner[c][axis] ? at[axis] : 1 - at[axis];
+      change[axis] = corner[c][axis] ? 1 : -1;
+    }
+    out.weight[c] = along[0] * along[1] * along[2];
+    for (int axis = 0; axis < 3; ++axis)
+      out.slope[axis][c] = change[axis] * along[(axis + 1) % 3] * along[(axis + 2) % 3];
+  }
+  return out;
+}
+
+double determinant(const std::array<std::array<double, 3>, 3>& m) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+/// Inverts the trilinear map of a hexahedron by Newton's method; returns local coordinates.
+std::array<double, 3> local_coordinates_in_space(const Mesh& mesh, std::span<const int> cell, const Point& point) {
+  std::array<double, 3> at{0.5, 0.5, 0.5};
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    const Trilinear shape = trilinear(at);
+    std::array<std::array<double, 3>, 3> jacobian{};  // jacobian[k]: change of the point along local axis k
+    std::array<double, 3> residual{-point[0], -point[1], -point[2]};
+    for (int c = 0; c < 8; ++c)
+      for (int axis = 0; axis < 3; ++axis) {
+        const double x = mesh.nodes[cell[c]][axis];
+        residual[axis] += shape.weight[c] * x;
+        for (int k = 0; k < 3; ++k) jacobian[k][axis] += shape.slope[k][c] * x;
+      }
+    const double whole = determinant(jacobian);
+    double moved = 0;
+    for (int k = 0; k < 3; ++k) {  // Cramer's rule
+      auto replaced = jacobian;
+      replaced[k] = residual;
+      const double step = determinant(replaced) / whole;
+      at[k] -= step;
+      moved += std::abs(step);
+    }
+    if (!(moved > 1e-14)) break;
+  }
+  return at;
+}
+
+/// Whether a cell's bounding box holds the point: spares the inverse map of the cells beside and above.
+bool may_hold(const Mesh& mesh, std::span<const int> cell, const Point& point, double slack) {
+  for (int axis = 0; axis < mesh.dim; ++axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const int node : cell) {
+      low = std::min(low, mesh.nodes[node][axis]);
+      high = std::max(high, mesh.nodes[node][axis]);
+    }
+    const double margin = slack + 1e-7 * (high - low);
+    if (point[axis] < low - margin || point[axis] > high + margin) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Evaluator::Evaluator(const Mesh& mesh) : mesh_(&mesh), order_(mesh.cell_count()), lower_(mesh.cell_count()) {
-  if (mesh.dim > 2) throw std::invalid_argument("evaluating fields between nodes is implemented in 1 and 2 dimensions");
   std::iota(order_.begin(), order_.end(), 0);
   std::sort(order_.begin(), order_.end(),
             [&](int a, int b) { return extent_of_cell(mesh, a)[0] < extent_of_cell(mesh, b)[0]; });
@@ -80,8 +147,15 @@ Evaluator::Weights Evaluator::weights(const Point& point) const {
       if (x >= from - tolerance_ && x <= to + tolerance_) return {{cell[0], cell[1]}, {1 - r, r}};
       continue;
     }
-    const auto [r, s] = local_coordinates(*mesh_, cell, point);
+    if (!may_hold(*mesh_, cell, point, tolerance_)) continue;
     constexpr double slack = 1e-7;
+    if (mesh_->dim == 3) {
+      const auto at = local_coordinates_in_space(*mesh_, cell, point);
+      if (!std::ranges::all_of(at, [](double local) { return local > -slack && local < 1 + slack; })) continue;
+      const auto weight = trilinear(at).weight;
+      return {{cell.begin(), cell.end()}, {weight.begin(), weight.end()}};
+    }
+    const auto [r, s] = local_coordinates(*mesh_, cell, point);
     if (r > -slack && r < 1 + slack && s > -slack && s < 1 + slack) {
       const auto weight = bilinear(r, s);
       return {{cell.begin(), cell.end()}, {weight.begin(), weight.end()}};

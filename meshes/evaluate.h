@@ -8,7 +8,7 @@
 namespace wetfront::meshes {
 
 /// Evaluates nodal fields of a mesh anywhere inside it, by the (multi)linear interpolation that both
-/// solvers' fields are defined with. Dimensions 1 and 2.
+/// solvers' fields are defined with.
 class Evaluator {
  public:
   explicit Evaluator(const Mesh& mesh);
