@@ -160,7 +160,8 @@ std::size_t undrawable_points(const Figure& figure, const Series& series) {
   const std::size_t count = std::min(series.x.size(), series.y.size());
   std::size_t undrawable = 0;
   for (std::size_t i = 0; i < count; ++i)
-    undrawable += !drawable(series.x[i], figure.log_x) || !drawable(series.y[i], figure.log_y);
+    undrawable += !(std::isnan(series.x[i]) && std::isnan(series.y[i])) &&
+                  (!drawable(series.x[i], figure.log_x) || !drawable(series.y[i], figure.log_y));
   return undrawable;
 }
 

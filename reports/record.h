@@ -32,7 +32,7 @@ struct Series {
   enum class Style { line, dashed, points };
   std::string label;
   Style style = Style::line;
-  std::vector<double> x, y;
+  std::vector<double> x, y;  ///< NaN in both: a line is broken there
   int colour = -1;  ///< palette index: series that belong together share it; -1: next free
 };
 

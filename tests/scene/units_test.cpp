@@ -40,6 +40,22 @@ TEST(Units, EverydayOnes) {
   EXPECT_DOUBLE_EQ(si("2.69 g/cm3", "kg/m3"), 2690);
 }
 
+TEST(Units, HeadsOfWaterAndReciprocalLengths) {
+  const auto pressure = [](const std::string& text, double unit_weight) {
+    const auto read = read_quantity(text, "Pa or m", unit_weight);
+    return std::holds_alternative<double>(read) ? std::get<double>(read) : std::nan("");
+  };
+  EXPECT_DOUBLE_EQ(pressure("-50 cm", 9810), -4905);
+  EXPECT_DOUBLE_EQ(pressure("-4.905 kPa", 9810), -4905);
+  EXPECT_TRUE(std::isnan(pressure("-50 cm", 0)));  // nothing weighs water here
+  EXPECT_EQ(pressure("2 kPa", 0), 2000);
+  EXPECT_TRUE(std::isnan(pressure("2 s", 9810)));
+  EXPECT_DOUBLE_EQ(si("0.02 1/cm", "1/m"), 2);
+  EXPECT_DOUBLE_EQ(si("2 m-1", "1/m"), 2);
+  EXPECT_THAT(complaint("2 m", "1/m"), testing::HasSubstr("is a length"));  // udunits inverts it
+  EXPECT_THAT(complaint("2 1/m", "m"), testing::HasSubstr("is a reciprocal length"));
+}
+
 TEST(Units, ReciprocalsShiftedZerosAndAnglesAreNotConverted) {
   EXPECT_THAT(complaint("2 s/m", "m/s"), testing::HasSubstr("is of another kind"));  // udunits inverts it
   EXPECT_THAT(complaint("2 m @ 1", "m"), testing::HasSubstr("unknown unit"));

@@ -3,6 +3,7 @@
 #include "verification/present/plan_text.h"
 #include "verification/run/run_scene.h"
 #include "verification/scene/read.h"
+#include "verification/translate/mpm_lacks.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +11,14 @@ namespace wetfront::verification::commands {
 
 int explain(const Paths& scenes) {
   for (const auto& path : scenes) {
-    const Prepared prepared = prepare(read_scene(path));
+    const Scene scene = read_scene(path);
+    if (const auto lacking = mpm_lacks(scene); !lacking.empty()) {
+      if (!scene.reference) throw SceneError(lacking);
+      fmt::print("{}\n\nonly the reference can run this scene:\n", scene.title);
+      for (const std::string& message : lacking) fmt::print("  {}\n", message);
+      continue;
+    }
+    const Prepared prepared = prepare(scene);
     if (scenes.size() > 1) fmt::print("{}\n", path.string());
     fmt::print("{}\n\n{}", prepared.scene.title, plan_text(mpm::plan(prepared.problem)));
     if (prepared.scene.reference)

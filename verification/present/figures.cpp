@@ -4,6 +4,7 @@
 #include "verification/compare/balance.h"
 #include "verification/compare/profile.h"
 #include "verification/present/figure_frame.h"
+#include "verification/present/plane_figures.h"
 
 #include <fmt/format.h>
 
@@ -243,6 +244,8 @@ std::vector<Figure> figures_of_one(const Scene& scene, const meshes::FieldHistor
     }
     if (!figure.series.empty()) all.push_back(std::move(figure));
   }
+  if (wet)
+    for (Figure& picture : plane_figures(history, who)) all.push_back(std::move(picture));
   Figure gauges = gauge_figure();
   if (wet) add_gauges(gauges, history, who, Series::Style::line);
   if (!gauges.series.empty()) all.push_back(std::move(gauges));

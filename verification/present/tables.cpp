@@ -1,6 +1,7 @@
 #include "verification/present/tables.h"
 
 #include "verification/compare/events.h"
+#include "verification/present/scene_text.h"
 #include "verification/translate/initial_pressure.h"
 
 #include <fmt/format.h>
@@ -12,63 +13,6 @@ namespace wetfront::verification {
 namespace {
 
 using reports::Table;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-
-std::string geometry_text(const Geometry& geometry) {
-  return std::visit(Overloaded{[](const Column& column) {
-                                 return fmt::format("column, {:g} m high, {} cells of {:g} m", column.height,
-                                                    column.cells, column.height / column.cells);
-                               },
-                               [](const Slope& slope) {
-                                 return fmt::format(
-                                     "slope, {:g} m long, {:g} m thick (vertical), {:g} degrees, {} x {} cells",
-                                     slope.length, slope.thickness, slope.angle * 180 / M_PI, slope.cells_along,
-                                     slope.cells_over);
-                               },
-                               [](const MeshFile& file) { return "mesh " + file.path.string(); }},
-                    geometry.shape);
-}
-
-std::string start_text(const InitialState& initial) {
-  if (const auto* uniform = std::get_if<UniformStart>(&initial.pressure))
-    return fmt::format("uniform {:g} kPa", uniform->pressure / 1e3);
-  const auto& start = std::get<HydrostaticStart>(initial.pressure);
-  std::string text = fmt::format("hydrostatic over a water table at {:g} m", start.water_table);
-  if (std::isfinite(start.suction_cap)) text += fmt::format(", suction capped at {:g} kPa", start.suction_cap / 1e3);
-  return text;
-}
-
-std::string retention_text(const Retention& retention) {
-  return std::visit(Overloaded{[](const VanGenuchten& law) {
-                                 return fmt::format("van Genuchten, p0 {:g} kPa, lambda {:g}, S {:g} to {:g}",
-                                                    law.air_entry / 1e3, law.lambda, law.s_min, law.s_max);
-                               },
-                               [](const Exponential& law) {
-                                 return fmt::format("exponential, scale {:g} kPa, S {:g} to {:g}",
-                                                    law.suction_scale / 1e3, law.s_min, law.s_max);
-                               }},
-                    retention);
-}
-
-std::string permeability_text(const Soil& soil) {
-  switch (soil.permeability) {
-    case PermeabilityLaw::mualem:
-      return "Mualem";
-    case PermeabilityLaw::printed_mualem:
-      return "Mualem as printed in Lee 2021, Eq. 7 (a known defect; the reference uses Mualem)";
-    case PermeabilityLaw::mualem_of_saturation:
-      return "Mualem of S in place of Se (a known defect; the reference uses Mualem)";
-    case PermeabilityLaw::exponential:
-      return fmt::format("exponential, scale {:g} kPa", soil.permeability_suction_scale / 1e3);
-    case PermeabilityLaw::constant:
-      return "constant";
-  }
-  return "";
-}
 
 std::string rain_text(const Rain& rain) {
   if (rain.record.start.size() > 1)
@@ -90,6 +34,12 @@ void add_soil(Table& table, const Soil& soil, const Scene& scene) {
     table.rows.push_back({"retention", retention_text(*soil.retention)});
     table.rows.push_back({"relative permeability", permeability_text(soil)});
   }
+  if (soil.anisotropy)
+    table.rows.push_back(
+        {"anisotropy", fmt::format("{:g} along, {:g} across, bedding at {:g} degrees", soil.anisotropy->along,
+                                   soil.anisotropy->across, soil.anisotropy->angle * 180 / M_PI)});
+  if (soil.conductivity_field)
+    table.rows.push_back({"conductivity field", fmt::format("{} places", soil.conductivity_field->value.size())});
   table.rows.push_back({"skeleton", soil.elastic ? fmt::format("elastic, E {:g} MPa, nu {:g}",
                                                                soil.elastic->young / 1e6, soil.elastic->poisson)
                                                  : "rigid"});
@@ -164,7 +114,16 @@ Table setup_table(const Scene& scene, const Timeline& timeline) {
         {"water", fmt::format("{:g} kg/m3, bulk modulus {:g} GPa, viscosity {:g} Pa s", scene.water->density,
                               scene.water->bulk_modulus / 1e9, scene.water->viscosity)});
   if (scene.initial) table.rows.push_back({"initial state", start_text(*scene.initial)});
+  for (const Layer& layer : scene.geometry.layers) table.rows.push_back({"layer", layer_text(layer)});
+  for (const Zone& zone : scene.geometry.zones)
+    table.rows.push_back({"zone of '" + zone.soil + "'", extent_text(zone.extent)});
+  for (const SidePart& part : scene.geometry.parts)
+    table.rows.push_back({"'" + part.name + "', part of '" + part.of + "'", extent_text(part.extent)});
   for (const Rain& rain : scene.rains) table.rows.push_back({"rain", rain_text(rain)});
+  for (const Evaporation& evaporation : scene.evaporations)
+    table.rows.push_back({"evaporation", evaporation_text(evaporation)});
+  for (const Boundary& boundary : scene.boundaries)
+    if (boundary.water) table.rows.push_back({"water at '" + boundary.side + "'", boundary_text(boundary)});
   if (timeline.filling_time)
     table.rows.push_back({"filling time", fmt::format("{:.6g} s (storage deficit / rain)", *timeline.filling_time)});
   for (std::size_t i = 0; i < scene.stages.size(); ++i)

@@ -5,6 +5,7 @@
 #include "verification/present/field_files.h"
 #include "verification/present/figures.h"
 #include "verification/present/reference_error_table.h"
+#include "verification/present/side_table.h"
 #include "verification/present/tables.h"
 #include "verification/run/provenance.h"
 
@@ -42,7 +43,7 @@ ReferenceResult run_reference(const Scene& scene, const std::filesystem::path& f
   record.figures = figures_of_one(scene, history, "reference");
   record.tables = {setup_table(scene, times),
                    ledger_table("reference", history, ledger_area(scene, history.mesh), times),
-                   reference_error_table(measurements)};
+                   side_table("reference", history, times), reference_error_table(measurements)};
   for (const auto& [name, solved] : result.runs.all()) {
     note_solver(record, name, *solved);
     record.tables.push_back(cost_table(name, solved->history));

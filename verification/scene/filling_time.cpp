@@ -10,15 +10,28 @@ namespace {
 double deficit(const Retention& law, double pressure) {
   if (pressure >= 0) return 0;
   const double s = -pressure;
+  if (const auto* vg = std::get_if<VanGenuchten>(&law); vg && vg->cut_off > 0) {
+    if (s <= vg->cut_off) return 0;
+    VanGenuchten whole = *vg;
+    whole.cut_off = 0;
+    const auto se = [&](double p) { return 1 - deficit(whole, p) / (vg->s_max - vg->s_min); };
+    return (vg->s_max - vg->s_min) * (1 - se(pressure) / se(-vg->cut_off));
+  }
   if (const auto* vg = std::get_if<VanGenuchten>(&law))
     return (vg->s_max - vg->s_min) * (1 - std::pow(1 + std::pow(s / vg->air_entry, 1 / (1 - vg->lambda)), -vg->lambda));
-  const auto& exponential = std::get<Exponential>(law);
+  const auto* found = std::get_if<Exponential>(&law);
+  if (!found) return std::nan("");
+  const Exponential& exponential = *found;
   return (exponential.s_max - exponential.s_min) * -std::expm1(-s / exponential.suction_scale);
 }
 
 double initial_pressure(const Scene& scene, double elevation) {
   if (const auto* uniform = std::get_if<UniformStart>(&scene.initial->pressure)) return uniform->pressure;
-  const auto& start = std::get<HydrostaticStart>(scene.initial->pressure);
+  if (const auto* profile = std::get_if<ProfileStart>(&scene.initial->pressure))
+    return interpolate(profile->elevation, profile->pressure, elevation);
+  const auto* found = std::get_if<HydrostaticStart>(&scene.initial->pressure);
+  if (!found) return std::nan("");
+  const HydrostaticStart& start = *found;
   const double unit_weight = scene.water->density * -scene.gravity[1];
   return std::max(unit_weight * (start.water_table - elevation), -start.suction_cap);
 }
@@ -30,7 +43,15 @@ std::string why_no_filling(const Scene& scene) {
   for (const Boundary& boundary : scene.boundaries)
     if (boundary.water && *boundary.water != WaterCondition::impermeable)
       return "water passes through '" + boundary.side + "'";
+  if (!scene.geometry.layers.empty() || !scene.geometry.zones.empty()) return "the column is layered";
+  if (!scene.evaporations.empty()) return "water evaporates";
   if (scene.rains.empty()) return "there is no rain";
+  for (const Soil& soil : scene.soils)
+    if (soil.retention && !std::holds_alternative<VanGenuchten>(*soil.retention) &&
+        !std::holds_alternative<Exponential>(*soil.retention))
+      return "its soil is neither van-genuchten nor exponential";
+  if (scene.initial && scene.initial->pressure.index() > 2)
+    return "the start is neither hydrostatic, uniform nor a profile";
   const meshes::RainRecord& rain = scene.rains.front().record;
   if (scene.rains.size() > 1 || rain.start.size() > 1 || (rain.start.size() == 1 && rain.start[0] > 0))
     return "the rain varies in time";

@@ -18,7 +18,17 @@ enum class Takes {
   tolerance,  ///< a quantity in the unit of the quantity that is gated
   vector,     ///< a list of two or three quantities
   series,     ///< a list of [time, rain intensity]
+  record,     ///< a quantity; or [time, quantity] pairs, or a CSV file with them
+  pairs,      ///< a list of lists with one quantity per column, or a CSV file with those columns
+  range,      ///< a list of two quantities, ascending
+  counts,     ///< a list of two or three whole numbers
+  pressures,  ///< a list of [soil name, quantity]
   table,      ///< a section of its own, named `section.name`
+};
+
+/// A column of a record, a table or a CSV file.
+struct TableColumn {
+  std::string name, unit;  ///< SI unit, "1", or "Pa or m"
 };
 
 enum class Presence { required, optional };
@@ -32,7 +42,7 @@ struct Range {
 struct Key {
   std::string section, name;
   Takes takes;
-  std::string unit;  ///< SI unit of a quantity or vector; "1" for a pure number; else ""
+  std::string unit;  ///< SI unit of a quantity or vector; "1" for a pure number; "Pa or m" for both; else ""
   Presence presence = Presence::required;
   std::string fallback = {};  ///< of an optional key, as one would write it; "": the meaning says what absence means
   std::string meaning = {}, example = {};
@@ -40,6 +50,7 @@ struct Key {
   std::vector<std::string> choices = {};
   std::string with_key = {};                   ///< the key counts only with `with_key` at one of `with_choices`;
   std::vector<std::string> with_choices = {};  ///< anywhere else it is an unused value
+  std::vector<TableColumn> columns = {};       ///< of a record or of pairs
 };
 
 struct Section {
@@ -52,6 +63,15 @@ struct Section {
 
 const std::vector<Section>& sections();
 const Section& section_named(const std::string& name);
+
+/// The parts of the table, in the order of the reference page.
+std::vector<Key> ground_keys();
+std::vector<Key> soil_keys();
+std::vector<Key> condition_keys();
+std::vector<Key> run_keys();
+
+/// The header line of a CSV file with these columns: `time [s], level [m]`.
+std::string csv_header(const std::vector<TableColumn>& columns);
 
 /// The keys of a section, in the order of the reference page.
 std::vector<const Key*> keys_of(const std::string& section);

@@ -41,16 +41,30 @@ FillingTime Reading::filling() const {
   return wet() && !scene.water ? FillingTime{} : filling_time(scene);
 }
 
-std::vector<std::string> Reading::sides() const {
-  if (std::holds_alternative<MeshFile>(scene.geometry.shape)) return {};
-  return {"top", "base", "left", "right"};
+double Reading::unit_weight() const {
+  const auto& g = scene.gravity;
+  return scene.water ? scene.water->density * std::hypot(g[0], g[1], g[2]) : 0;
+}
+
+std::vector<SectionReader> Reading::sections(const std::string& name) const {
+  std::vector<SectionReader> found = sections_of(root, name, complaints);
+  for (SectionReader& reader : found) reader.weigh_water(unit_weight());
+  return found;
+}
+
+std::optional<SectionReader> Reading::section(const std::string& name) const {
+  std::vector<SectionReader> found = sections(name);
+  return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
 }
 
 void check_plane(SectionReader& reader, const std::string& name, const std::vector<double>& components,
                  const Geometry& geometry) {
-  if (components.size() == 3 && !std::holds_alternative<MeshFile>(geometry.shape))
-    reader.complain(name, {reader.shown(name) + " has a third component", "columns and slopes lie in the plane x, y",
+  if (components.size() == 3 && geometry.dim() == 2)
+    reader.complain(name, {reader.shown(name) + " has a third component", "this ground lies in the plane x, y",
                            "Give x and y only."});
+  if (components.size() == 2 && geometry.dim() == 3 && reader.has(name))
+    reader.complain(
+        name, {reader.shown(name) + " has no third component", "this ground lies in space, z up", "Give x, y and z."});
 }
 
 void read_top(Reading& reading) {
@@ -62,10 +76,14 @@ void read_top(Reading& reading) {
   for (std::size_t i = 0; i < gravity.size(); ++i) reading.scene.gravity[i] = gravity[i];
   reading.scene.gravity_origin = top.origin_of("gravity");
   check_plane(top, "gravity", gravity, reading.scene.geometry);
-  const bool column = std::holds_alternative<Column>(reading.scene.geometry.shape);
-  const bool mesh = std::holds_alternative<MeshFile>(reading.scene.geometry.shape);
-  if (gravity.size() > 1 && ((column && std::abs(gravity[0]) > 0) || (!mesh && gravity[1] > 0))) {
-    reading.scene.gravity = {0, -std::abs(gravity[1]), 0};
+  const Geometry& geometry = reading.scene.geometry;
+  const bool column = std::holds_alternative<Column>(geometry.shape);
+  const bool space = geometry.dim() == 3;
+  if (space && !top.has("gravity")) reading.scene.gravity = {0, 0, -9.81};
+  auto& g = reading.scene.gravity;
+  const double up = g[space ? 2 : 1];
+  if (geometry.dim() != 0 && ((column && std::abs(g[0]) > 0) || up > 0)) {
+    g = {0, space ? 0 : -std::abs(up), space ? -std::abs(up) : 0};
     top.complain("gravity",
                  {"gravity does not pull down", column ? "a column is vertical, and up is positive" : "up is positive",
                   "Write gravity = [\"0 m/s2\", \"-9.81 m/s2\"], or use a slope."});
@@ -83,8 +101,8 @@ Scene read_scene(const std::filesystem::path& path) {
            {"the scene is empty", "nothing says what is there", "`wetfront new NAME` writes a scene to start from."});
   Complaints complaints(path.string());
   Reading reading{root, complaints, scene};
-  for (const auto part : {read_geometry, read_top, read_soils, read_initial, read_rains, read_boundaries, read_probes,
-                          read_stages, read_comparison})
+  for (const auto part : {read_geometry, read_top, read_soils, read_initial, read_rains, read_evaporation,
+                          read_boundaries, read_probes, read_stages, read_comparison})
     part(reading);
   if (complaints.any()) throw SceneError(complaints.in_order());
   return scene;

@@ -1,4 +1,5 @@
 #include "verification/scene/reading.h"
+#include "verification/scene/section_tables.h"
 
 #include <fmt/format.h>
 
@@ -8,47 +9,6 @@
 
 namespace wetfront::verification {
 namespace {
-
-/// Complains of a side that the geometry does not have.
-std::string read_side(SectionReader& reader, const Reading& reading) {
-  const std::string side = reader.text("side");
-  const std::vector<std::string> sides = reading.sides();
-  if (side.empty() || sides.empty() || std::find(sides.begin(), sides.end(), side) != sides.end()) return side;
-  reader.complain(
-      "side", {"there is no side '" + side + "'", "this geometry has " + alternatives(sides), suggest(side, sides)});
-  return "";
-}
-
-meshes::RainRecord read_series(SectionReader& reader) {
-  const Value* series = reader.raw("series");
-  const Complaint wrong{"series is not a list of [time, intensity] pairs",
-                        "each intensity holds from its time until the next",
-                        "Write series = [[\"0 s\", \"100 mm/h\"], [\"1 h\", \"0 mm/h\"]]"};
-  if (series->kind != Value::Kind::array || series->items.empty()) {
-    reader.complain("series", wrong);
-    return {};
-  }
-  meshes::RainRecord record;
-  for (const Value& pair : series->items) {
-    if (pair.kind != Value::Kind::array || pair.items.size() != 2) {
-      reader.complain("series", wrong);
-      return {};
-    }
-    record.start.push_back(reader.item_quantity("series", pair.items[0], "s"));
-    record.intensity.push_back(reader.item_quantity("series", pair.items[1], "m/s"));
-  }
-  for (const RainFault& fault : faults_of(record)) reader.complain_at(series->items[fault.row].place, fault.complaint);
-  return record;
-}
-
-meshes::RainRecord read_record(SectionReader& reader, Reading& reading) {
-  meshes::RainRecord record;
-  if (reader.has("intensity")) record = {{0.0}, {reader.quantity("intensity")}};
-  if (reader.has("series")) record = read_series(reader);
-  if (const std::string file = reader.text("csv"); !file.empty())
-    record = read_rain_csv(reading.scene.path.parent_path() / file, reader.place_of("csv"), reading.complaints);
-  return record;
-}
 
 std::array<bool, 3> fixed_axes(SectionReader& reader, const std::string& side, const Scene& scene) {
   const std::string skeleton = reader.choice("skeleton");
@@ -64,11 +24,65 @@ std::array<bool, 3> fixed_axes(SectionReader& reader, const std::string& side, c
   return {false, false, false};
 }
 
+/// What `water` prescribes: a value, or one that changes in time.
+void read_prescribed(SectionReader& reader, Boundary& boundary, const Reading& reading) {
+  static const std::map<WaterCondition, std::string> keys = {{WaterCondition::pressure, "pressure"},
+                                                             {WaterCondition::total_head, "head"},
+                                                             {WaterCondition::water_level, "level"},
+                                                             {WaterCondition::flux, "inflow"}};
+  const auto key = keys.find(*boundary.water);
+  if (key == keys.end()) return;
+  Rows rows = read_record(reader, key->second, reading.folder());
+  const bool steps = boundary.water == WaterCondition::flux;  // each holds until the next: no time twice
+  check_ascending(rows, 0, steps, "the times of " + key->second);
+  if (rows.size() == 0) return;
+  if (steps) {
+    boundary.inflow = {rows.column[0], rows.column[1]};
+    boundary.least_pressure = reader.quantity("least_pressure");
+    return;
+  }
+  boundary.record = {rows.column[0], rows.column[1]};
+  if (boundary.water == WaterCondition::pressure) boundary.pressure = boundary.record.value.front();
+}
+
+void read_partner(SectionReader& reader, Boundary& boundary, const Reading& reading) {
+  boundary.partner = read_side(reader, reading, "partner");
+  if (boundary.partner == boundary.side && !boundary.side.empty())
+    reader.complain("partner", {"'" + boundary.side + "' is its own partner", "water leaves here and comes in there",
+                                "Name the opposite side."});
+  for (const Boundary& other : reading.scene.boundaries)
+    if (other.side == boundary.partner && other.water)
+      reader.complain("partner", {"'" + boundary.partner + "' has a water condition of its own",
+                                  "it stands in line " + std::to_string(other.origin.line),
+                                  "Say periodic once, of one of the two sides."});
+}
+
+/// Rain and evaporation on the same side: above a water level there may be rain; else they exclude another condition.
+void check_weather(SectionReader& reader, Boundary& boundary, const Reading& reading) {
+  if (boundary.side.empty()) return;
+  for (const Rain& rain : reading.scene.rains)
+    if (rain.side == boundary.side && boundary.water != WaterCondition::water_level) {
+      boundary.water.reset();
+      reader.complain("water", {"'" + boundary.side + "' is given rain and a second water condition",
+                                "the rain stands in line " + std::to_string(rain.origin.line),
+                                "Keep one of the two; rain already lets water out where the soil is full."});
+    }
+  for (const Evaporation& evaporation : reading.scene.evaporations)
+    if (evaporation.side == boundary.side) {
+      boundary.water.reset();
+      reader.complain("water", {"'" + boundary.side + "' is given evaporation and a second water condition",
+                                "the evaporation stands in line " + std::to_string(evaporation.origin.line),
+                                "Keep one of the two; evaporation already lets water out where the soil is full."});
+    }
+}
+
 void read_water_condition(SectionReader& reader, Boundary& boundary, const Reading& reading) {
-  static const std::map<std::string, WaterCondition> known = {{"impermeable", WaterCondition::impermeable},
-                                                              {"free-drainage", WaterCondition::free_drainage},
-                                                              {"pressure", WaterCondition::pressure},
-                                                              {"seepage-face", WaterCondition::seepage_face}};
+  static const std::map<std::string, WaterCondition> known = {
+      {"impermeable", WaterCondition::impermeable}, {"free-drainage", WaterCondition::free_drainage},
+      {"pressure", WaterCondition::pressure},       {"seepage-face", WaterCondition::seepage_face},
+      {"total-head", WaterCondition::total_head},   {"flux", WaterCondition::flux},
+      {"water-level", WaterCondition::water_level}, {"as-at-start", WaterCondition::as_at_start},
+      {"periodic", WaterCondition::periodic}};
   if (!reader.has("water")) return;
   if (!reading.wet()) {
     reader.unused("water", "there is no [water] in this scene", "Remove it, or add [water].");
@@ -76,85 +90,21 @@ void read_water_condition(SectionReader& reader, Boundary& boundary, const Readi
   }
   const auto condition = known.find(reader.choice("water"));
   if (condition != known.end()) boundary.water = condition->second;
-  if (boundary.water == WaterCondition::pressure) boundary.pressure = reader.quantity("pressure");
+  if (boundary.water) read_prescribed(reader, boundary, reading);
+  if (boundary.water == WaterCondition::periodic) read_partner(reader, boundary, reading);
   const bool flank = std::holds_alternative<Column>(reading.scene.geometry.shape) &&
                      (boundary.side == "left" || boundary.side == "right");
   if (flank && boundary.water && boundary.water != WaterCondition::impermeable && reading.has_reference())
     reader.complain("water", {"water passes through '" + boundary.side + "' of a column",
                               "the reference of a column is one-dimensional: it has only base and top",
                               "Use a slope or a mesh, or leave [reference] and its gates out."});
-  for (const Rain& rain : reading.scene.rains)
-    if (rain.side == boundary.side && !boundary.side.empty()) {
-      boundary.water.reset();
-      reader.complain("water", {"'" + boundary.side + "' is given rain and a second water condition",
-                                "the rain stands in line " + std::to_string(rain.origin.line),
-                                "Keep one of the two; rain already lets water out where the soil is full."});
-    }
-}
-
-/// Why the probe is not in the soil, or "".
-std::string why_outside(const Geometry& geometry, double x, double y) {
-  constexpr double slack = 1e-9;  // m: a probe on the surface is inside
-  const auto* column = std::get_if<Column>(&geometry.shape);
-  if (column && column->height > 0) {
-    const double width = column->cells > 0 ? column->height / column->cells : column->height;
-    if (y < -slack || y > column->height + slack)
-      return fmt::format("the column reaches from 0 m to {:g} m", column->height);
-    if (x < -slack || x > width + slack) return fmt::format("the column is one cell, {:g} m, wide", width);
-  }
-  if (const auto* slope = std::get_if<Slope>(&geometry.shape)) {
-    if (x < -slack || x > slope->length + slack)
-      return fmt::format("the slope reaches from x = 0 m to {:g} m", slope->length);
-    const double base = x * std::tan(slope->angle);
-    if (y < base - slack || y > base + slope->thickness + slack)
-      return fmt::format("at x = {:g} m the soil reaches from {:g} m to {:g} m", x, base, base + slope->thickness);
-  }
-  return "";
-}
-
-void read_position(SectionReader& reader, Probe& probe, const Geometry& geometry) {
-  const bool column = std::holds_alternative<Column>(geometry.shape);
-  std::string key = "at";
-  if (reader.has("elevation")) {
-    key = "elevation";
-    probe.position[1] = reader.quantity("elevation");
-    if (!column)
-      reader.complain("elevation", {"an elevation alone does not place this probe",
-                                    "only a column has one place per elevation", "Write at = [\"0 m\", \"0.6 m\"]."});
-  } else {
-    const std::vector<double> at = reader.vector("at");
-    for (std::size_t i = 0; i < at.size(); ++i) probe.position[i] = at[i];
-    check_plane(reader, "at", at, geometry);
-  }
-  const std::string why = why_outside(geometry, probe.position[0], probe.position[1]);
-  if (!why.empty())
-    reader.complain(key, {"the probe '" + probe.name + "' is outside the soil", why, "Move it into the soil."});
+  if (reader.has("water")) check_weather(reader, boundary, reading);
 }
 
 }  // namespace
 
-void read_rains(Reading& reading) {
-  for (SectionReader& reader : sections_of(reading.root, "rain", reading.complaints)) {
-    Rain rain{read_side(reader, reading), read_record(reader, reading), reader.origin()};
-    if (!reading.root.find("water"))
-      reading.complaints.add(reader.place(), {"rain falls, but the scene has no [water]",
-                                              "nothing can fall into a dry scene", "Add [water], or remove [[rain]]."});
-    const bool built_in = !reading.sides().empty();
-    if (built_in && (rain.side == "base" || rain.side == "left" || rain.side == "right"))
-      reader.complain("side", {"no rain can fall on '" + rain.side + "'",
-                               "rain is per horizontal area and comes from above", "Write side = \"top\"."});
-    for (const Rain& other : reading.scene.rains)
-      if (other.side == rain.side && !rain.side.empty())
-        reader.complain("side", {"rain falls twice on '" + rain.side + "'",
-                                 "the first stands in line " + std::to_string(other.origin.line),
-                                 "Keep one of the two; a series lets it vary in time."});
-    reading.scene.rains.push_back(rain);
-    reader.finish();
-  }
-}
-
 void read_boundaries(Reading& reading) {
-  for (SectionReader& reader : sections_of(reading.root, "boundary", reading.complaints)) {
+  for (SectionReader& reader : reading.sections("boundary")) {
     Boundary boundary;
     boundary.side = read_side(reader, reading);
     boundary.origin = reader.origin();
@@ -174,22 +124,6 @@ void read_boundaries(Reading& reading) {
     if (!reader.has("water") && !reader.has("skeleton"))
       reader.missing("water", "a boundary must say something about the water or the skeleton");
     if (!repeated) reading.scene.boundaries.push_back(boundary);
-    reader.finish();
-  }
-}
-
-void read_probes(Reading& reading) {
-  for (SectionReader& reader : sections_of(reading.root, "probe", reading.complaints)) {
-    Probe probe;
-    probe.name = reader.text("name");
-    probe.origin = reader.origin();
-    read_position(reader, probe, reading.scene.geometry);
-    for (const Probe& other : reading.scene.probes)
-      if (other.name == probe.name && !probe.name.empty())
-        reader.complain("name",
-                        {"a second probe is called '" + probe.name + "'",
-                         "the first stands in line " + std::to_string(other.origin.line), "Give it another name."});
-    reading.scene.probes.push_back(probe);
     reader.finish();
   }
 }

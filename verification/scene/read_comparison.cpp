@@ -12,6 +12,15 @@
 namespace wetfront::verification {
 namespace {
 
+/// Cells of the reference where the scene does not say: enough for a column, those of the shape for any other.
+int own_cells(const Geometry& geometry) {
+  if (const auto* slope = std::get_if<Slope>(&geometry.shape)) return slope->cells_over;
+  if (const auto* profile = std::get_if<GroundProfile>(&geometry.shape)) return profile->cells_over;
+  if (const auto* box = std::get_if<Box>(&geometry.shape)) return box->cells.empty() ? 1 : box->cells.back();
+  if (std::holds_alternative<MeshFile>(geometry.shape)) return 1;
+  return ReferenceSettings{}.cells;
+}
+
 void read_reference(Reading& reading) {
   auto section = section_of(reading.root, "reference", reading.complaints);
   if (!section) return;
@@ -25,10 +34,25 @@ void read_reference(Reading& reading) {
                          {"[reference] needs gravity", "it computes with heads, p / (rho g), and g is zero here",
                           "Remove [reference] and its gates, or let gravity act."});
   ReferenceSettings settings;
-  settings.cells = section->count("cells");
-  settings.tolerance = section->quantity("tolerance");
-  settings.backward_euler = section->choice("integrator") == "backward-euler";
   settings.origin = section->origin();
+  settings.cells = section->has("cells") ? section->count("cells") : own_cells(reading.scene.geometry);
+  settings.tolerance = section->quantity("tolerance");
+  const std::string integrator = section->choice("integrator"), skeleton = section->choice("skeleton_storage");
+  if (integrator == "backward-euler") settings.integrator = ReferenceSettings::Integrator::backward_euler;
+  if (integrator == "dirk") settings.integrator = ReferenceSettings::Integrator::dirk;
+  settings.degree = section->count("degree");
+  if (auto adaptive = section->table("adaptive")) {
+    settings.adaptive = AdaptiveMesh{adaptive->count("levels"), adaptive->quantity("threshold")};
+    if (std::holds_alternative<Column>(reading.scene.geometry.shape))
+      section->complain("adaptive", {"a column is not refined adaptively", "its reference is one-dimensional and cheap",
+                                     "Remove it; cells says how fine the column is."});
+    adaptive->finish();
+  }
+  if (skeleton == "saturation") settings.skeleton = ReferenceSettings::SkeletonStorage::saturation;
+  if (skeleton == "effective-saturation") settings.skeleton = ReferenceSettings::SkeletonStorage::effective_saturation;
+  if (section->has("skeleton_storage") && skeleton != "none" && !reading.elastic())
+    section->unused("skeleton_storage", "every soil of this scene is rigid",
+                    "Remove it, or give the soil young and poisson.");
   reading.scene.reference = settings;
   section->finish();
 }

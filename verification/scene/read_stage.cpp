@@ -8,12 +8,15 @@
 namespace wetfront::verification {
 namespace {
 
-void read_scheme(SectionReader& reader, Stage& stage, bool wet) {
-  if (!wet) {
+void read_scheme(SectionReader& reader, Stage& stage, const Reading& reading) {
+  if (!reading.wet()) {
     reader.unused("scheme", "there is no [water] in this scene", "Remove it, or add [water].");
     return;
   }
-  if (!reader.has("scheme")) return reader.missing("scheme", "with [water] the stage must say how the water moves");
+  if (!reader.has("scheme")) {  // of no concern to the reference: `wetfront run` asks for it
+    if (!reading.has_reference()) reader.missing("scheme", "with [water] the stage must say how the water moves");
+    return;
+  }
   const std::string scheme = reader.choice("scheme");
   if (scheme == "seepage") stage.scheme = Scheme::seepage;
   if (scheme == "implicit-drag") stage.scheme = Scheme::implicit_drag;
@@ -58,7 +61,7 @@ void read_stages(Reading& reading) {
     Stage stage;
     stage.name = reader.text("name");
     stage.origin = reader.origin();
-    read_scheme(reader, stage, reading.wet());
+    read_scheme(reader, stage, reading);
     read_step_control(reader, stage, reading.elastic());
     if (const auto until = reader.time("until")) {
       stage.until = *until;

@@ -24,21 +24,42 @@ struct Reading {
   bool has_reference() const { return root.find("reference") != nullptr; }
   /// Sides of the built-in shapes; empty for a mesh file, whose sides are known once it is read.
   std::vector<std::string> sides() const;
+  /// rho g [Pa/m]; 0 without water or without gravity.
+  double unit_weight() const;
+  std::filesystem::path folder() const { return scene.path.parent_path(); }
+  /// sections_of, with heads of water understood.
+  std::vector<SectionReader> sections(const std::string& name) const;
+  std::optional<SectionReader> section(const std::string& name) const;
 };
 
 void read_top(Reading& reading);       // title, requirement, gravity
-void read_geometry(Reading& reading);  // geometry
+void read_geometry(Reading& reading);  // geometry, layer, zone, part
 void read_soils(Reading& reading);     // water, soil
 void read_initial(Reading& reading);   // initial
 void read_rains(Reading& reading);     // rain
+void read_evaporation(Reading& reading);
 void read_boundaries(Reading& reading);
 void read_probes(Reading& reading);
 void read_stages(Reading& reading);      // stage, mpm
 void read_comparison(Reading& reading);  // reference, comparison, tolerance
 
+void read_layers(Reading& reading);       // layer; part of read_geometry
+void check_soil_names(Reading& reading);  // of layers and zones; part of read_soils
+
+/// Retention and permeability of one soil; porosity where the retention gives it.
+void read_laws(SectionReader& reader, Soil& soil, const Reading& reading);
+/// `side` of a section, complained of where the geometry has none of that name.
+std::string read_side(SectionReader& reader, const Reading& reading, const std::string& key = "side");
+
 /// A third component would be ignored in a column or a slope: complains of it.
 void check_plane(SectionReader& reader, const std::string& name, const std::vector<double>& components,
                  const Geometry& geometry);
+
+/// `series` of a section.
+meshes::RainRecord read_series(SectionReader& reader);
+/// Values at places from a file; pressures where `value` says so.
+PlaceTable read_places(const std::filesystem::path& path, const TableColumn& value, int dim, SectionReader& reader,
+                       const std::string& key);
 
 /// A rain record from a file `time [unit], intensity [unit]`; complaints carry that file's lines.
 meshes::RainRecord read_rain_csv(const std::filesystem::path& path, Place named_at, Complaints& complaints);

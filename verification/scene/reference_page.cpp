@@ -7,6 +7,12 @@
 namespace wetfront::verification {
 namespace {
 
+std::string row_of(const Key& key) {
+  std::string names;
+  for (const TableColumn& column : key.columns) names += (names.empty() ? "" : ", ") + column.name;
+  return '[' + names + ']';
+}
+
 std::string takes(const Key& key) {
   switch (key.takes) {
     case Takes::text:
@@ -20,7 +26,7 @@ std::string takes(const Key& key) {
     case Takes::count:
       return "whole number";
     case Takes::choice:
-      return key.choices.size() > 8 ? "one of the quantities below" : alternatives(key.choices);
+      return key.choices.size() > 12 ? "one of the quantities below" : alternatives(key.choices);
     case Takes::time:
       return "time";
     case Takes::times:
@@ -29,6 +35,17 @@ std::string takes(const Key& key) {
       return "list of two or three, each " + dimension(key.unit);
     case Takes::series:
       return "list of [time, rain intensity]";
+    case Takes::record:
+      return dimension(key.unit) + "; or a list of " + row_of(key) + "; or a CSV file `" + csv_header(key.columns) +
+             "`";
+    case Takes::pairs:
+      return "list of " + row_of(key) + ", or a CSV file `" + csv_header(key.columns) + "`";
+    case Takes::range:
+      return "list of two, each " + dimension(key.unit);
+    case Takes::counts:
+      return "list of two or three whole numbers";
+    case Takes::pressures:
+      return "list of [name of a soil, " + dimension(key.unit) + "]";
     case Takes::table:
       return "table, see below";
   }
@@ -60,13 +77,14 @@ std::string heading(const Section& section) {
 
 const char* const introduction = R"(# What a scene may say
 
-Generated from the table in `keys.cpp`, with which the reader also validates; do not edit. A JSON Schema made from the
+Generated from the table in `keys_*.cpp`, with which the reader also validates; do not edit. A JSON Schema made from the
 same table is `scene.schema.json`.
 
 A quantity is a number and a unit in quotation marks: `"100 mm/h"`, `"4.35 kPa"`. Units are those of udunits2, and
 `deg`; capitals count. A pure number is written bare or in percent: `0.46`, `"25 %"`. A time is a quantity or relative
 to the filling time (storage deficit over rain; a column over a closed base under constant rain has one):
-`"25 % of filling"`. Nothing is ignored: unknown keys, duplicate keys and values that nothing uses are errors.
+`"25 % of filling"`. A pressure may be given as a head of water: `"-50 cm"` is `"-4.905 kPa"` with water of 1000 kg/m3.
+What takes a CSV file takes its name, ending in `.csv`, in quotation marks; its header gives names and units. Nothing is ignored: unknown keys, duplicate keys and values that nothing uses are errors.
 
 )";
 

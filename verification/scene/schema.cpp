@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* const with_unit = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^\s0-9,._].*$)";
+const char* const with_unit = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(1/)?[^\s0-9,._].*$)";
 const char* const number_in_text = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(%|percent)?\s*$)";
 
 Json quantity(const std::string& unit) {
@@ -30,13 +30,24 @@ Json quantity(const Key& key) {
   return schema;
 }
 
+Json text() {
+  return {{"type", "string"}, {"minLength", 1}};
+}
+
+/// A list of rows, one quantity per column.
+Json rows(const Key& key) {
+  Json row = {{"type", "array"}, {"minItems", key.columns.size()}, {"maxItems", key.columns.size()}};
+  for (const TableColumn& column : key.columns) row["prefixItems"].push_back(quantity(column.unit));
+  return {{"type", "array"}, {"minItems", 1}, {"items", row}};
+}
+
 Json section_schema(const std::string& name);
 
 Json value_schema(const Key& key) {
   switch (key.takes) {
     case Takes::text:
     case Takes::path:
-      return {{"type", "string"}, {"minLength", 1}};
+      return text();
     case Takes::quantity:
       return quantity(key);
     case Takes::tolerance:
@@ -57,6 +68,23 @@ Json value_schema(const Key& key) {
           {"minItems", 1},
           {"items",
            {{"type", "array"}, {"prefixItems", {quantity("s"), quantity("m/s")}}, {"minItems", 2}, {"maxItems", 2}}}};
+    case Takes::record:
+      return {{"anyOf", {quantity(key.unit), text(), rows(key)}}};
+    case Takes::pairs:
+      return {{"anyOf", {text(), rows(key)}}};
+    case Takes::range:
+      return {{"type", "array"}, {"items", quantity(key.unit)}, {"minItems", 2}, {"maxItems", 2}};
+    case Takes::counts:
+      return {{"type", "array"},
+              {"minItems", 2},
+              {"maxItems", 3},
+              {"items",
+               {{"type", "integer"}, {"minimum", std::stoi(key.range.from)}, {"maximum", std::stoi(key.range.to)}}}};
+    case Takes::pressures:
+      return {{"type", "array"},
+              {"minItems", 1},
+              {"items",
+               {{"type", "array"}, {"prefixItems", {text(), quantity(key.unit)}}, {"minItems", 2}, {"maxItems", 2}}}};
     case Takes::table:
       break;
   }

@@ -58,9 +58,11 @@ void SectionReader::check_names() {
     misspelt_.insert(near);
     std::string suggestion = near.empty() ? "" : "Did you mean '" + near + "'?";
     for (const Section& other : sections())
-      if (find_key(other.name, entry.key))
+      if (find_key(other.name, entry.key)) {
         suggestion = (near.empty() ? "" : suggestion + " Or ") + "'" + entry.key + "' belongs in " +
                      head(other.name, other.list) + ".";
+        break;
+      }
     if (suggestion.empty()) suggestion = "Known are " + alternatives(names) + ".";
     complaints_->add(entry.place, {fmt::format("unknown key '{}' in {}", entry.key, head(section_, list)),
                                    "a key that nothing reads would change nothing", suggestion});

@@ -27,14 +27,24 @@ class SectionReader {
   /// `name = "as written"`.
   std::string shown(const std::string& name) const;
 
+  /// rho g [Pa/m], with which "Pa or m" reads heads; to be said before any is read. Tables inside inherit it.
+  void weigh_water(double unit_weight) { unit_weight_ = unit_weight; }
+
   std::string text(const std::string& name);
   std::string choice(const std::string& name);
   double quantity(const std::string& name);
   int count(const std::string& name);
   std::vector<double> vector(const std::string& name);
+  /// Two numbers, the second above the first; empty when absent or wrong.
+  std::vector<double> range(const std::string& name);
+  std::vector<int> counts(const std::string& name);
   std::optional<SceneTime> time(const std::string& name);
   std::vector<SceneTime> times(const std::string& name);
   std::optional<SectionReader> table(const std::string& name);
+  /// Its row in the table of keys.
+  const Key& key(const std::string& name) const;
+  Complaints& complaints() { return *complaints_; }
+  double unit_weight() const { return unit_weight_; }
   /// The value itself, for keys with a grammar of their own; nullptr when absent.
   const Value* raw(const std::string& name);
 
@@ -47,12 +57,15 @@ class SectionReader {
   /// Complains of every value that nothing has read. To be called last.
   void finish();
 
+  /// "" when the key's range holds the value [SI], else the range: "at least 0 m/s and at most 0.1 m/s".
+  std::string range_missed(const std::string& name, double value) const;
   /// Of an item of a list, e.g. one time of a series.
   double item_quantity(const std::string& name, const Value& item, const std::string& unit);
+  /// The same, and within the range of the key.
+  double item_in_range(const std::string& name, const Value& item);
   std::optional<SceneTime> item_time(const std::string& name, const Value& item);
 
  private:
-  const Key& key(const std::string& name) const;
   void check_names();
   void check_presence();
   bool in_range(const Key& key, double value, const Value& written);
@@ -60,6 +73,7 @@ class SectionReader {
 
   const Value* table_;
   std::string section_;
+  double unit_weight_ = 0;
   Place place_;
   Complaints* complaints_;
   std::set<std::string> read_;

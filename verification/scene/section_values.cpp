@@ -14,6 +14,13 @@ namespace {
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 const std::string of_filling = "of filling";
 
+/// Of the table's own texts. A head as default needs a weight of water, without which its key has no use: NaN.
+double in_si(const std::string& text, const std::string& unit, double unit_weight) {
+  const auto read = read_quantity(text, unit, unit_weight);
+  const double* number = std::get_if<double>(&read);
+  return number ? *number : absent;
+}
+
 }  // namespace
 
 std::string SectionReader::text(const std::string& name) {
@@ -46,7 +53,7 @@ double SectionReader::number_of(const Key& wanted, const Value& written, const s
   Complaint complaint{given + " is not a number with a unit", dimension(unit) + " is wanted",
                       "Write it as in \"" + example_of(unit) + "\"."};
   if (written.kind == Value::Kind::text) {
-    const auto read = read_quantity(written.text, unit);
+    const auto read = read_quantity(written.text, unit, unit_weight_);
     if (const double* number = std::get_if<double>(&read)) return *number;
     complaint = std::get<Complaint>(read);
     complaint.problem = wanted.name + " = " + complaint.problem;
@@ -63,26 +70,32 @@ double SectionReader::number_of(const Key& wanted, const Value& written, const s
   return absent;
 }
 
-bool SectionReader::in_range(const Key& wanted, double value, const Value& written) {
+std::string SectionReader::range_missed(const std::string& name, double value) const {
+  const Key& wanted = key(name);
   const auto bound = [&](const std::string& text) {
-    return wanted.takes == Takes::count ? std::stod(text) : std::get<double>(read_quantity(text, wanted.unit));
+    return wanted.takes == Takes::count || wanted.takes == Takes::counts ? std::stod(text)
+                                                                         : in_si(text, wanted.unit, unit_weight_);
   };
   const Range& range = wanted.range;
   const bool low = !range.from.empty() && (range.open_from ? value <= bound(range.from) : value < bound(range.from));
   const bool high = !range.to.empty() && (range.open_to ? value >= bound(range.to) : value > bound(range.to));
-  if (low || high)
-    complaints_->add(
-        written.place,
-        {wanted.name + " = " + written.shown() + " is out of range", "it must be " + bounds(range),
-         wanted.takes == Takes::quantity && wanted.unit != "1" ? "Check the sign, the unit and the exponent."
-                                                               : "Write it as in " + assignment(wanted)});
-  return !low && !high;
+  return low || high ? bounds(range) : "";
+}
+
+bool SectionReader::in_range(const Key& wanted, double value, const Value& written) {
+  const std::string missed = range_missed(wanted.name, value);
+  if (!missed.empty())
+    complaints_->add(written.place, {wanted.name + " = " + written.shown() + " is out of range", "it must be " + missed,
+                                     wanted.takes == Takes::quantity && wanted.unit != "1"
+                                         ? "Check the sign, the unit and the exponent."
+                                         : "Write it as in " + assignment(wanted)});
+  return missed.empty();
 }
 
 double SectionReader::quantity(const std::string& name) {
   const Key& wanted = key(name);
   const Value* written = raw(name);
-  if (!written) return wanted.fallback.empty() ? absent : std::get<double>(read_quantity(wanted.fallback, wanted.unit));
+  if (!written) return wanted.fallback.empty() ? absent : in_si(wanted.fallback, wanted.unit, unit_weight_);
   const double value = number_of(wanted, *written, wanted.unit);
   return std::isfinite(value) && in_range(wanted, value, *written) ? value : absent;
 }
@@ -120,6 +133,46 @@ std::vector<double> SectionReader::vector(const std::string& name) {
     components.push_back(std::isfinite(value) && in_range(wanted, value, item) ? value : absent);
   }
   return components;
+}
+
+std::vector<double> SectionReader::range(const std::string& name) {
+  const Key& wanted = key(name);
+  const Value* written = raw(name);
+  if (!written) return {};
+  if (written->kind != Value::Kind::array || written->items.size() != 2) {
+    complain(name, {shown(name) + " is not a list of two quantities", wanted.meaning, "Write " + assignment(wanted)});
+    return {};
+  }
+  std::vector<double> ends;
+  for (const Value& item : written->items) ends.push_back(item_in_range(name, item));
+  if (ends[0] >= ends[1])
+    complain(name,
+             {shown(name) + " holds nothing", "the first is not below the second", "Write " + assignment(wanted)});
+  return ends[0] < ends[1] ? ends : std::vector<double>{};
+}
+
+std::vector<int> SectionReader::counts(const std::string& name) {
+  const Key& wanted = key(name);
+  const Value* written = raw(name);
+  if (!written) return {};
+  const bool list = written->kind == Value::Kind::array && (written->items.size() == 2 || written->items.size() == 3) &&
+                    std::all_of(written->items.begin(), written->items.end(),
+                                [](const Value& item) { return item.kind == Value::Kind::integer; });
+  if (!list) {
+    complain(name, {shown(name) + " is not a list of two or three whole numbers", wanted.meaning,
+                    "Write " + assignment(wanted)});
+    return {};
+  }
+  std::vector<int> numbers;
+  for (const Value& item : written->items)
+    numbers.push_back(in_range(wanted, item.number, item) ? static_cast<int>(item.number) : 0);
+  return numbers;
+}
+
+double SectionReader::item_in_range(const std::string& name, const Value& item) {
+  const Key& wanted = key(name);
+  const double value = number_of(wanted, item, wanted.unit);
+  return std::isfinite(value) && in_range(wanted, value, item) ? value : absent;
 }
 
 double SectionReader::item_quantity(const std::string& name, const Value& item, const std::string& unit) {
@@ -179,7 +232,9 @@ std::optional<SectionReader> SectionReader::table(const std::string& name) {
     complain(name, {shown(name) + " is not a table", key(name).meaning, "Write " + assignment(key(name))});
     return std::nullopt;
   }
-  return SectionReader(*written, section_ + "." + name, table_->find(name)->place, *complaints_);
+  SectionReader inner(*written, section_ + "." + name, table_->find(name)->place, *complaints_);
+  inner.weigh_water(unit_weight_);
+  return inner;
 }
 
 }  // namespace wetfront::verification

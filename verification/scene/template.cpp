@@ -13,7 +13,7 @@ gravity = ["0 m/s2", "-9.81 m/s2"]       # x, y; y is up
 # Nothing here switches physics on or off: what the scene contains is simulated, nothing else.
 # All keys, units and defaults: verification/scene/SCENE.md. `wetfront explain` shows what a scene calls for.
 
-[geometry]                               # one of column, slope, mesh
+[geometry]                               # one of column, slope, profile, box, mesh
 column = { height = "1.2 m", cells = 40 }
 # slope = { length = "20 m", thickness = "1.2 m", angle = "30 deg", cells_along = 80, cells_over = 10 }
 # mesh = "ground.msh"                    # your own; sides and soils are its physical groups
@@ -29,11 +29,12 @@ porosity = 0.46
 grain_density = "2690 kg/m3"
 intrinsic_permeability = "3e-11 m2"      # or saturated_conductivity = "2.9e-4 m/s"
 retention = { law = "van-genuchten", air_entry = "4.35 kPa", lambda = 0.61, S_min = 0.087, S_max = 1 }
+# retention = { law = "van-genuchten", alpha = "2.25 1/m", n = 2.56, theta_r = 0.04, theta_s = 0.46 }   # the same
 permeability = { law = "mualem" }
 # young = "10 MPa"                       # these two make the skeleton elastic; without them it is rigid
 # poisson = 0.3
 
-[initial]                                # or uniform = "-10 kPa"
+[initial]                                # or uniform = "-10 kPa", steady = { rain = "1 mm/h" }, ...
 hydrostatic = { water_table = "0 m", suction_cap = "10 kPa" }
 
 [[rain]]                                 # per horizontal area; what the soil does not take runs off

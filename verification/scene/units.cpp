@@ -14,6 +14,8 @@
 namespace wetfront::verification {
 namespace {
 
+const std::string pressure_or_head = "Pa or m";
+
 struct Dimension {
   std::string unit, name, example;
   std::vector<std::string> common;  ///< units people write, for suggestions
@@ -24,6 +26,8 @@ const std::vector<Dimension>& dimensions() {
       {"m", "a length", "1.2 m", {"m", "mm", "cm", "km"}},
       {"s", "a time", "1800 s", {"s", "min", "h", "d", "hour", "day"}},
       {"Pa", "a pressure", "4.35 kPa", {"Pa", "kPa", "MPa", "GPa", "bar"}},
+      {"Pa or m", "a pressure or a head of water", "4.35 kPa", {"Pa", "kPa", "MPa", "GPa", "bar", "m", "mm", "cm"}},
+      {"1/m", "a reciprocal length", "2.25 1/m", {"1/m", "1/cm"}},
       {"kg/m3", "a density", "1000 kg/m3", {"kg/m3", "g/cm3", "t/m3"}},
       {"Pa s", "a dynamic viscosity", "1e-6 kPa s", {"Pa s", "kPa s", "mPa s"}},
       {"m2", "an intrinsic permeability", "3e-11 m2", {"m2", "cm2", "mm2", "um2"}},
@@ -115,7 +119,7 @@ std::string example_of(const std::string& unit) {
   return found ? found->example : "1 " + unit;
 }
 
-std::variant<double, Complaint> read_quantity(const std::string& text, const std::string& unit) {
+std::variant<double, Complaint> read_quantity(const std::string& text, const std::string& unit, double unit_weight) {
   const std::string quoted = '"' + shortened(text) + '"';
   const std::string body = trimmed(text);
   const std::string wanted = fmt::format("{} is wanted here", dimension(unit));
@@ -136,10 +140,18 @@ std::variant<double, Complaint> read_quantity(const std::string& text, const std
     return Complaint{quoted + " has no unit", wanted + ", and a bare number could be in any unit",
                      fmt::format("If it is in {0}, write \"{1} {0}\".", unit, body)};
   const std::string unit_name = name.empty() ? "1" : name;
-  // "5 3 m" and "5 m @ 2" are units to udunits: 3 m, and metres counted from 2.
-  if (name.find_first_of("@+-0123456789") == 0 || name.find('@') != std::string::npos || !parse_unit(unit_name))
+  // "5 3 m" and "5 m @ 2" are units to udunits: 3 m, and metres counted from 2. "5 1/m" is meant as it stands.
+  const bool number_first = name.find_first_of("@+-0123456789") == 0 && name.rfind("1/", 0) != 0;
+  if (number_first || name.find('@') != std::string::npos || !parse_unit(unit_name))
     return unknown_unit(quoted, name, unit);
-  const std::optional<double> scale = factor(unit_name, unit);
+  std::optional<double> scale = factor(unit_name, unit);
+  if (unit == pressure_or_head) {
+    const std::optional<double> metres = factor(unit_name, "m");
+    if (metres && !(unit_weight > 0))
+      return Complaint{quoted + " is a head of water", "p = rho g h, and there is no weight of water in this scene",
+                       "Write a pressure as in \"4.35 kPa\"."};
+    scale = metres ? std::optional(*metres * unit_weight) : factor(unit_name, "Pa");
+  }
   if (!scale) {
     const std::string is = measured_by(unit_name);
     return Complaint{fmt::format("{} is {}", quoted, is.empty() ? "of another kind" : is), wanted,

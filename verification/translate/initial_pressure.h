@@ -7,15 +7,21 @@
 
 namespace wetfront::verification {
 
-/// Pore pressure of the scene's initial state at a point [Pa, compression-positive].
-/// Hydrostatic: rho g (water table - elevation), not below minus the suction cap. In a one-dimensional mesh the
-/// only coordinate is the elevation.
-double initial_pressure(const Scene& scene, const meshes::Point& point, int dim);
+/// Whether the start is the reference's own work: steady antecedent rain, spin-up.
+bool start_is_computed(const Scene& scene);
 
-/// The same at every node.
+/// Pore pressure of the scene's initial state at every node [Pa, compression-positive]. Hydrostatic: rho g (water table
+/// - elevation), not below minus the suction cap. A computed start is computed on the reference's mesh, once per scene,
+/// and interpolated. Throws std::runtime_error for a field that cannot be read.
 std::vector<double> initial_pressure(const Scene& scene, const meshes::Mesh& mesh);
+
+/// The same at a node at rest over a water table.
+std::vector<double> hydrostatic_pressure(const Scene& scene, const HydrostaticStart& start, const meshes::Mesh& mesh);
 
 /// Magnitude of gravity [m/s2].
 double gravity_magnitude(const Scene& scene);
+
+/// Height of a mesh's point above the origin, against gravity [m].
+double elevation(const Scene& scene, const meshes::Point& point, int dim);
 
 }  // namespace wetfront::verification

@@ -1,9 +1,10 @@
 #include "verification/translate/scene_mesh.h"
 
-#include "meshes/geo_script.h"
 #include "meshes/gmsh.h"
 #include "meshes/read_msh.h"
 #include "meshes/refine.h"
+#include "verification/translate/blocks.h"
+#include "verification/translate/lay_soils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +22,6 @@ meshes::Mesh user_mesh(const Scene& scene, const MeshFile& file) {
   return mesh;
 }
 
-meshes::Mesh slope_mesh(const Slope& slope, int cells_over) {
-  const int along = slope.cells_along * std::max(1, cells_over / slope.cells_over);
-  return meshes::generate(meshes::slope_script({slope.length, slope.thickness, slope.angle, along, cells_over}), 2);
-}
-
 /// A sparse direct solve per Newton step: beyond this a reference takes hours and all the memory.
 constexpr double most_cells = 150000;
 
@@ -37,6 +33,28 @@ void require_affordable(const Scene& scene, double cells, const std::string& sug
                            " are allowed). Set [reference] cells to e.g. " + suggestion);
 }
 
+/// Cells of the shape from base to surface; 0 for a mesh file.
+int own_cells_over(const Geometry& geometry) {
+  if (const auto* column = std::get_if<Column>(&geometry.shape)) return column->cells;
+  if (const auto* slope = std::get_if<Slope>(&geometry.shape)) return slope->cells_over;
+  if (const auto* profile = std::get_if<GroundProfile>(&geometry.shape)) return profile->cells_over;
+  const auto* box = std::get_if<Box>(&geometry.shape);
+  return box ? box->cells.back() : 0;
+}
+
+double own_cells(const Geometry& geometry) {
+  double along = 1;
+  if (const auto* slope = std::get_if<Slope>(&geometry.shape)) along = slope->cells_along;
+  if (const auto* profile = std::get_if<GroundProfile>(&geometry.shape)) along = profile->cells_along;
+  if (const auto* box = std::get_if<Box>(&geometry.shape))
+    for (int axis = 0; axis + 1 < box->dim(); ++axis) along *= box->cells[axis];
+  return along * own_cells_over(geometry);
+}
+
+int along_factor(const Geometry& geometry, int cells) {
+  return std::max(1, cells / own_cells_over(geometry));
+}
+
 /// Halvings of a mesh's own cells until there are at least `cells`.
 int halvings_to(const meshes::Mesh& mesh, int cells) {
   int halvings = 0;
@@ -44,38 +62,42 @@ int halvings_to(const meshes::Mesh& mesh, int cells) {
   return halvings;
 }
 
+meshes::Mesh with_soils(const Scene& scene, meshes::Mesh mesh) {
+  lay_soils(scene, mesh);
+  return mesh;
+}
+
 }  // namespace
 
 meshes::Mesh mpm_mesh(const Scene& scene) {
-  if (const auto* column = std::get_if<Column>(&scene.geometry.shape)) {
-    const double width = column->height / column->cells;  // square cells
-    return meshes::generate(meshes::strip_column_script(column->height, width, column->cells), 2);
-  }
-  if (const auto* slope = std::get_if<Slope>(&scene.geometry.shape)) return slope_mesh(*slope, slope->cells_over);
-  return user_mesh(scene, std::get<MeshFile>(scene.geometry.shape));
+  const Geometry& geometry = scene.geometry;
+  if (std::holds_alternative<MeshFile>(geometry.shape))
+    return with_soils(scene, user_mesh(scene, std::get<MeshFile>(geometry.shape)));
+  return with_soils(scene, block_mesh(geometry, {own_cells_over(geometry)}));
 }
 
 bool can_coarsen(const Scene& scene, int cells) {
-  if (std::holds_alternative<Column>(scene.geometry.shape)) return cells % 2 == 0;
-  if (const auto* slope = std::get_if<Slope>(&scene.geometry.shape)) return cells % (2 * slope->cells_over) == 0;
-  return halvings_to(user_mesh(scene, std::get<MeshFile>(scene.geometry.shape)), cells) > 0;
+  const Geometry& geometry = scene.geometry;
+  if (std::holds_alternative<Column>(geometry.shape)) return can_coarsen(geometry, cells, 1);
+  if (geometry.dim() != 0) return can_coarsen(geometry, cells, along_factor(geometry, cells));
+  return halvings_to(user_mesh(scene, std::get<MeshFile>(geometry.shape)), cells) > 0;
 }
 
 meshes::Mesh reference_mesh(const Scene& scene, int cells, int halvings) {
-  const int finest = halvings < 0 ? cells >> -halvings : cells << halvings;
-  if (const auto* column = std::get_if<Column>(&scene.geometry.shape))
-    return meshes::generate(meshes::line_column_script(column->height, finest), 1);
-  if (const auto* slope = std::get_if<Slope>(&scene.geometry.shape)) {
-    require_affordable(scene, double(finest) * slope->cells_along * std::max(1, finest / slope->cells_over),
-                       std::to_string(2 * slope->cells_over) + ", twice the candidate's " +
-                           std::to_string(slope->cells_over) + " over the thickness");
-    return slope_mesh(*slope, finest);
+  const Geometry& geometry = scene.geometry;
+  if (std::holds_alternative<Column>(geometry.shape)) return with_soils(scene, line_mesh(geometry, cells, halvings));
+  if (geometry.dim() != 0) {
+    const int own = own_cells_over(geometry), factor = along_factor(geometry, cells), dim = geometry.dim();
+    require_affordable(scene, own_cells(geometry) / own * cells * std::pow(factor, dim - 1) * std::exp2(dim * halvings),
+                       std::to_string(own) + ", the shape's own from base to surface");
+    return with_soils(scene, block_mesh(geometry, {cells, factor, halvings}));
   }
   meshes::Mesh mesh = user_mesh(scene, std::get<MeshFile>(scene.geometry.shape));
   const int total = halvings_to(mesh, cells) + halvings;
   require_affordable(scene, mesh.cell_count() * std::exp2(mesh.dim * total), "the mesh's own number");
   for (int i = 0; i < total; ++i) mesh = meshes::refined(mesh);
   meshes::renumber_by_position(mesh);
+  lay_soils(scene, mesh);
   return mesh;
 }
 

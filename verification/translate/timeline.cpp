@@ -12,11 +12,19 @@
 namespace wetfront::verification {
 namespace {
 
+/// Projected on the ground: by length in two dimensions, by the shoelace rule in three.
 double horizontal_area(const meshes::Mesh& mesh, const meshes::Side& side) {
   if (mesh.dim == 1) return 1;  // volumes are per area already
+  const int corners = meshes::nodes_per_face(mesh.dim);
   double area = 0;
-  for (std::size_t f = 0; f < side.faces.size(); f += 2)
-    area += std::abs(mesh.nodes[side.faces[f + 1]][0] - mesh.nodes[side.faces[f]][0]);
+  for (std::size_t f = 0; f < side.faces.size(); f += corners) {
+    double twice = 0;
+    for (int i = 0; i < corners; ++i) {
+      const meshes::Point &a = mesh.nodes[side.faces[f + i]], &b = mesh.nodes[side.faces[f + (i + 1) % corners]];
+      twice += mesh.dim == 2 ? (i == 0 ? 2 * (b[0] - a[0]) : 0) : a[0] * b[1] - b[0] * a[1];
+    }
+    area += std::abs(twice) / 2;
+  }
   return area;
 }
 
@@ -50,9 +58,13 @@ double rain_area(const Scene& scene, const meshes::Mesh& mesh) {
 double ledger_area(const Scene& scene, const meshes::Mesh& mesh) {
   if (!scene.rains.empty()) return rain_area(scene, mesh);
   if (mesh.dim == 1) return 1;
-  const auto [first, last] = std::ranges::minmax_element(
-      mesh.nodes, [](const meshes::Point& a, const meshes::Point& b) { return a[0] < b[0]; });
-  return (*last)[0] - (*first)[0];
+  double area = 1;
+  for (int axis = 0; axis + 1 < mesh.dim; ++axis) {
+    const auto [first, last] = std::ranges::minmax_element(
+        mesh.nodes, [axis](const meshes::Point& a, const meshes::Point& b) { return a[axis] < b[axis]; });
+    area *= (*last)[axis] - (*first)[axis];
+  }
+  return area;
 }
 
 double rain_asked(const Scene& scene, const meshes::Mesh& mesh, double time) {

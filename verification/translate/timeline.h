@@ -21,7 +21,7 @@ struct Timeline {
 /// Resolves "25 % of filling" and the like. Throws std::runtime_error where there is no filling time.
 Timeline timeline(const Scene& scene);
 
-/// Horizontal area under rain [m2/m].
+/// Horizontal area under rain [m2/m; in space m2].
 double rain_area(const Scene& scene, const meshes::Mesh& mesh);
 
 /// Horizontal area that a water ledger is told per [m2/m]: that under rain or, where none falls, the width of the

@@ -1,6 +1,9 @@
 #include "verification/translate/to_mpm.h"
 
+#include "verification/scene/read.h"
 #include "verification/translate/initial_pressure.h"
+#include "verification/translate/lay_soils.h"
+#include "verification/translate/mpm_lacks.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -19,6 +22,9 @@ mpm::RetentionSpec retention_of(const Retention& retention) {
                                },
                                [](const Exponential& law) -> mpm::RetentionSpec {
                                  return mpm::ExponentialRetention{law.suction_scale, law.s_min, law.s_max};
+                               },
+                               [](const auto&) -> mpm::RetentionSpec {
+                                 throw std::logic_error("a retention that mpm_lacks() has let through");
                                }},
                     retention);
 }
@@ -35,8 +41,9 @@ mpm::PermeabilitySpec permeability_of(const Soil& soil) {
       return mpm::ExponentialPermeability{soil.permeability_suction_scale};
     case PermeabilityLaw::constant:
       return mpm::ConstantPermeability{};
+    default:
+      throw std::logic_error("a permeability that mpm_lacks() has let through");
   }
-  throw std::logic_error("unknown permeability law");
 }
 
 mpm::Soil soil_of(const Soil& soil) {
@@ -48,19 +55,6 @@ mpm::Soil soil_of(const Soil& soil) {
   }
   if (soil.elastic) out.elastic = mpm::Elastic{soil.elastic->young, soil.elastic->poisson, soil.elastic->origin.text()};
   return out;
-}
-
-/// One soil per mesh region, in the mesh's order. A scene with one soil fills every region with it.
-std::vector<mpm::Soil> soils_by_region(const Scene& scene, const meshes::Mesh& mesh) {
-  std::vector<mpm::Soil> soils;
-  for (const std::string& region : mesh.region_names) {
-    const auto named =
-        std::find_if(scene.soils.begin(), scene.soils.end(), [&](const Soil& soil) { return soil.name == region; });
-    if (named == scene.soils.end() && scene.soils.size() != 1)
-      throw std::runtime_error("the mesh region '" + region + "' has no soil of that name in the scene");
-    soils.push_back(soil_of(named == scene.soils.end() ? scene.soils.front() : *named));
-  }
-  return soils;
 }
 
 void add_boundaries(const Scene& scene, mpm::Problem<2>& problem) {
@@ -97,11 +91,12 @@ mpm::Stage stage_of(const Stage& stage, double end_time) {
 }  // namespace
 
 mpm::Problem<2> to_mpm(const Scene& scene, const meshes::Mesh& mesh, const Timeline& timeline) {
+  if (const auto lacking = mpm_lacks(scene); !lacking.empty()) throw SceneError(lacking);
   mpm::Problem<2> problem;
   problem.mesh = mesh;
   problem.gravity = {scene.gravity[0], scene.gravity[1]};
   problem.gravity_origin = scene.gravity_origin.text();
-  problem.soils = soils_by_region(scene, mesh);
+  for (const Soil* soil : soils_by_region(scene, mesh)) problem.soils.push_back(soil_of(*soil));
   if (scene.water) {
     const Water& water = *scene.water;
     problem.water = mpm::Water{water.density, water.bulk_modulus, water.viscosity, water.origin.text()};

@@ -1,6 +1,10 @@
 #include "verification/translate/to_reference.h"
 
+#include "verification/translate/antecedent.h"
 #include "verification/translate/initial_pressure.h"
+#include "verification/translate/lay_soils.h"
+#include "verification/translate/reference_sides.h"
+#include "verification/translate/reference_soil.h"
 #include "verification/translate/scene_mesh.h"
 
 #include <algorithm>
@@ -9,59 +13,21 @@
 namespace wetfront::verification {
 namespace {
 
-/// Heads for pressures, conductivity for permeability: the numbers change, the soil does not.
-class HydraulicUnits {
- public:
-  explicit HydraulicUnits(const Scene& scene)
-      : unit_weight(scene.water->density * gravity_magnitude(scene)),
-        viscosity_(scene.water->viscosity),
-        bulk_modulus_(scene.water->bulk_modulus) {}
-
-  fem_reference::Soil soil(const Soil& soil) const {
-    fem_reference::Soil out;
-    out.name = soil.name;
-    out.porosity = soil.porosity;
-    out.retention = retention(soil);
-    out.conductivity = conductivity(soil);
-    out.saturated_conductivity = soil.intrinsic_permeability * unit_weight / viscosity_;
-    out.specific_storage = soil.porosity * unit_weight / bulk_modulus_;
-    return out;
+std::vector<double> conductivity_factors(const Scene& scene, const meshes::Mesh& mesh) {
+  const std::vector<const Soil*> soils = soils_by_region(scene, mesh);
+  if (std::ranges::none_of(soils, [](const Soil* soil) { return soil->conductivity_field.has_value(); })) return {};
+  std::vector<double> factors;
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+    const auto& field = soils[mesh.region[c]]->conductivity_field;
+    factors.push_back(field ? field->at(scene_point(mesh.cell_centre(c), mesh.dim)) : 1);
   }
+  return factors;
+}
 
-  const double unit_weight;  ///< Pa/m
-
- private:
-  fem_reference::Retention retention(const Soil& soil) const {
-    const double n = soil.porosity;
-    if (const auto* law = std::get_if<VanGenuchten>(&*soil.retention))
-      return fem_reference::VanGenuchten{n * law->s_min, n * law->s_max, unit_weight / law->air_entry,
-                                         1 / (1 - law->lambda)};
-    const auto& law = std::get<Exponential>(*soil.retention);
-    return fem_reference::ExponentialRetention{n * law.s_min, n * law.s_max, unit_weight / law.suction_scale};
-  }
-
-  /// The reference always computes what is right: research variants of the candidate (printed formulas, S in place
-  /// of the effective saturation) are compared with the corrected law.
-  fem_reference::Conductivity conductivity(const Soil& soil) const {
-    if (soil.permeability == PermeabilityLaw::constant) return fem_reference::ConstantConductivity{};
-    if (soil.permeability == PermeabilityLaw::exponential)
-      return fem_reference::ExponentialConductivity{unit_weight / soil.permeability_suction_scale};
-    return fem_reference::MualemConductivity{};
-  }
-
-  double viscosity_, bulk_modulus_;
-};
-
-void add_boundaries(const Scene& scene, double unit_weight, fem_reference::RichardsProblem& problem) {
-  for (const Rain& rain : scene.rains) problem.boundary.push_back(fem_reference::RainSide{rain.side, rain.record});
-  for (const Boundary& boundary : scene.boundaries) {
-    if (boundary.water == WaterCondition::free_drainage)
-      problem.boundary.push_back(fem_reference::FreeDrainageSide{boundary.side});
-    if (boundary.water == WaterCondition::pressure)
-      problem.boundary.push_back(fem_reference::HeadSide{boundary.side, boundary.pressure / unit_weight});
-    if (boundary.water == WaterCondition::seepage_face)
-      problem.boundary.push_back(fem_reference::RainSide{boundary.side, {{0}, {0}}});
-  }
+fem_reference::Integrator integrator_of(const ReferenceSettings& settings) {
+  if (settings.integrator == ReferenceSettings::Integrator::dirk) return fem_reference::Integrator::dirk;
+  return settings.integrator == ReferenceSettings::Integrator::bdf ? fem_reference::Integrator::bdf
+                                                                   : fem_reference::Integrator::backward_euler;
 }
 
 }  // namespace
@@ -73,22 +39,27 @@ fem_reference::RichardsProblem to_reference(const Scene& scene, const Timeline& 
   const double g = gravity_magnitude(scene);
   for (int axis = 0; axis < 3; ++axis) problem.gravity_direction[axis] = scene.gravity[axis] / g;
   if (line) problem.gravity_direction = {-1, 0, 0};
-  const HydraulicUnits units(scene);
-  problem.unit_weight = units.unit_weight;
-  for (const std::string& region : problem.mesh.region_names) {
-    const auto named =
-        std::find_if(scene.soils.begin(), scene.soils.end(), [&](const Soil& soil) { return soil.name == region; });
-    problem.soils.push_back(units.soil(named == scene.soils.end() ? scene.soils.front() : *named));
-  }
-  add_boundaries(scene, units.unit_weight, problem);
-  for (double pressure : initial_pressure(scene, problem.mesh))
-    problem.initial_head.push_back(pressure / units.unit_weight);
+  problem.unit_weight = scene.water->density * g;
+  for (const Soil* soil : soils_by_region(scene, problem.mesh))
+    problem.soils.push_back(reference_soil(scene, *soil, problem.mesh.dim));
+  problem.conductivity_factor = conductivity_factors(scene, problem.mesh);
+  problem.boundary = reference_sides(scene, problem.unit_weight);
   problem.end_time = timeline.end();
   problem.output_times = timeline.comparison_times;
+  if (problem.output_times.empty()) problem.output_times = {problem.end_time};
   for (const Probe& probe : scene.probes)
     problem.gauges.push_back({probe.name, line ? meshes::Point{probe.position[1]} : probe.position});
-  if (scene.reference->backward_euler) problem.integrator = fem_reference::Integrator::backward_euler;
+  const ReferenceSettings& settings = *scene.reference;
+  problem.integrator = integrator_of(settings);
+  problem.degree = settings.degree;
+  if (settings.adaptive)
+    problem.adaptivity = fem_reference::Adaptivity{settings.adaptive->levels, settings.adaptive->threshold};
   problem.tolerance = resolution.tolerance;
+  if (start_is_computed(scene))
+    problem.initial_head = antecedent_head(scene, problem);
+  else
+    for (double pressure : initial_pressure(scene, problem.mesh))
+      problem.initial_head.push_back(pressure / problem.unit_weight);
   return problem;
 }
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "verification/scene/scene.h"
+
+#include <string>
+
+/// What a scene says, as a reader of its page wants it: one line each, with units.
+namespace wetfront::verification {
+
+std::string geometry_text(const Geometry& geometry);
+std::string layer_text(const Layer& layer);
+std::string extent_text(const Extent& extent);
+std::string start_text(const InitialState& initial);
+std::string retention_text(const Retention& retention);
+std::string permeability_text(const Soil& soil);
+std::string evaporation_text(const Evaporation& evaporation);
+std::string boundary_text(const Boundary& boundary);
+
+}  // namespace wetfront::verification

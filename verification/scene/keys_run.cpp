@@ -1,0 +1,58 @@
+#include "verification/scene/keys.h"
+
+#include "verification/scene/quantities.h"
+
+/// The table: stages, solvers, comparison, gates.
+namespace wetfront::verification {
+namespace {
+
+constexpr auto required = Presence::required;
+constexpr auto optional = Presence::optional;
+
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities()) names.push_back(quantity.name);
+  return names;
+}
+
+}  // namespace
+
+// clang-format off
+std::vector<Key> run_keys() {
+  return {
+    {"stage", "name", Takes::text, "", required, "", "name", "infiltration"},
+    {"stage", "scheme", Takes::choice, "", optional, "", "how the pore water moves: seepage without inertia, implicit-drag with; needed with water, but for the reference alone",
+     "seepage", {}, {"seepage", "implicit-drag"}},
+    {"stage", "until", Takes::time, "s", required, "", "end of the stage since the start of the run", "110 % of filling"},
+    {"stage", "time_integrator", Takes::choice, "", optional, "bdf2", "of seepage", "bdf2", {}, {"bdf2", "backward-euler"}, "scheme", {"seepage"}},
+    {"stage", "time_tolerance", Takes::quantity, "1", optional, "1e-5", "of the error control of seepage", "1e-5", {"1e-12", "0.1"}, {}, "scheme", {"seepage"}},
+    {"stage", "largest_step", Takes::quantity, "s", optional, "", "no step longer than this; no limit when absent", "10 s", {"0 s", "1000 d", true}},
+    {"stage", "step_safety", Takes::quantity, "1", optional, "0.8", "fraction of the stability limit that conditionally stable schemes use", "0.8", {"0", "1", true}},
+    {"stage", "local_damping", Takes::quantity, "1", optional, "0", "of the skeleton's out-of-balance force (Cundall)", "0.05", {"0", "1", false, true}},
+    {"stage", "mass_balance", Takes::choice, "", optional, "conservative", "printed-2021 is Lee 2021, Eqs 4 and 18 as printed, which loses rain: a known defect, kept to show what it costs", "conservative",
+     {}, {"conservative", "printed-2021"}, "scheme", {"implicit-drag"}},
+
+    {"mpm", "points_per_cell", Takes::count, "", optional, "4", "material points per cell, a square number", "4", {"1", "25"}},
+
+    {"reference", "cells", Takes::count, "", optional, "", "cells over the height of a column (320 when absent), the thickness of a slope or profile or the height of a box (their own when absent); a mesh file is halved until it has that many",
+     "320", {"1", "100000"}},
+    {"reference", "tolerance", Takes::quantity, "1", optional, "1e-6", "relative tolerance of the time integration", "1e-6", {"1e-12", "0.01"}},
+    {"reference", "integrator", Takes::choice, "", optional, "bdf", "bdf is variable-order (SUNDIALS IDA), dirk diagonally implicit Runge-Kutta (ARKStep); backward-euler is the cross-check", "bdf", {}, {"bdf", "backward-euler", "dirk"}},
+    {"reference", "degree", Takes::count, "", optional, "1", "of the elements: 1, or 2 for smooth fields", "1", {"1", "2"}},
+    {"reference", "adaptive", Takes::table, "", optional, "", "a mesh that is refined towards wetting fronts (not in a column); fixed when absent", R"({ levels = 2, threshold = 1e-3 })"},
+    {"reference", "skeleton_storage", Takes::choice, "", optional, "none", "storage S (chi + p dchi/dp) / E_oed of the soils that have young, chi being Bishop's parameter", "saturation", {}, {"none", "saturation", "effective-saturation"}},
+    {"reference.adaptive", "levels", Takes::count, "", optional, "2", "how often a cell may be halved", "2", {"1", "6"}},
+    {"reference.adaptive", "threshold", Takes::quantity, "1", optional, "1e-3", "error in water content beyond which a cell is halved", "1e-3", {"1e-8", "0.5"}},
+
+    {"comparison", "times", Takes::times, "", required, "", "when fields are kept and compared, ascending", R"(["25 % of filling", "50 % of filling"])"},
+
+    {"tolerance", "quantity", Takes::choice, "", required, "", "what is gated; the table of quantities is below", "pressure_l2", {}, quantity_names()},
+    {"tolerance", "at", Takes::time, "s", optional, "", "one of the comparison times; all of them when absent", "25 % of filling"},
+    {"tolerance", "probe", Takes::text, "", optional, "", "one probe, for quantities of probes; every probe when absent", "base"},
+    {"tolerance", "value", Takes::tolerance, "", required, "", "largest allowed error: \"1 %\", or with the unit of the quantity", "1 %"},
+    {"tolerance", "reason", Takes::text, "", required, "", "where this number comes from", "spatial error of a good scheme at 40 cells, doubled"},
+  };
+}
+// clang-format on
+
+}  // namespace wetfront::verification

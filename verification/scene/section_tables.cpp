@@ -1,0 +1,104 @@
+#include "verification/scene/section_tables.h"
+
+#include "verification/scene/csv_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+bool names_a_file(const Value& value) {
+  return value.kind == Value::Kind::text && value.text.size() > 4 && value.text.ends_with(".csv");
+}
+
+CsvForm form_of(const Key& key) {
+  std::string row;
+  for (std::size_t i = 0; i < key.columns.size(); ++i) row += i == 0 ? "0" : ", 1";
+  return {"file of " + key.name, {key.columns}, row};
+}
+
+}  // namespace
+
+void Rows::complain(std::size_t row, const Complaint& complaint) {
+  if (file_.empty())
+    complaints_->add(place_[row], complaint);
+  else
+    complaints_->add_elsewhere(place_.front(), file_, {line_[row], 1}, complaint);
+}
+
+Rows read_pairs(SectionReader& reader, const std::string& name, const std::filesystem::path& folder) {
+  const Value* written = reader.raw(name);
+  const Key& key = reader.key(name);
+  Rows rows;
+  rows.complaints_ = &reader.complaints();
+  if (!written) return rows;
+  if (names_a_file(*written)) {
+    CsvTable table =
+        read_csv(folder / written->text, form_of(key), reader.unit_weight(), written->place, reader.complaints());
+    rows.place_ = {written->place};
+    rows.file_ = (folder / written->text).string();
+    rows.line_ = table.line;
+    if (table.sound) rows.column = table.column;
+    return rows;
+  }
+  const std::size_t columns = key.columns.size();
+  std::vector<std::vector<double>> read(columns);
+  const bool list = written->kind == Value::Kind::array && !written->items.empty() &&
+                    std::all_of(written->items.begin(), written->items.end(), [&](const Value& row) {
+                      return row.kind == Value::Kind::array && row.items.size() == columns;
+                    });
+  if (!list) {
+    std::string names;
+    for (const TableColumn& column : key.columns) names += (names.empty() ? "" : ", ") + column.name;
+    reader.complain(name, {reader.shown(name) + " is neither a list of [" + names + "] nor the name of a .csv file",
+                           key.meaning, "Write " + assignment(key)});
+    return rows;
+  }
+  bool sound = true;
+  for (const Value& row : written->items) {
+    rows.place_.push_back(row.place);
+    for (std::size_t i = 0; i < columns; ++i) {
+      read[i].push_back(reader.item_quantity(name, row.items[i], key.columns[i].unit));
+      sound = sound && std::isfinite(read[i].back());
+    }
+  }
+  if (sound) rows.column = read;
+  return rows;
+}
+
+Rows read_record(SectionReader& reader, const std::string& name, const std::filesystem::path& folder) {
+  const Value* written = reader.raw(name);
+  if (written && written->kind != Value::Kind::array && !names_a_file(*written)) {
+    Rows rows;
+    rows.complaints_ = &reader.complaints();
+    rows.place_ = {written->place};
+    const double value = reader.item_in_range(name, *written);
+    if (std::isfinite(value)) rows.column = {{0.0}, {value}};
+    return rows;
+  }
+  Rows rows = read_pairs(reader, name, folder);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string missed = reader.range_missed(name, rows.column[1][i]);
+    if (!missed.empty())
+      rows.complain(i, {fmt::format("{} is out of range", name), "it must be " + missed,
+                        "Check the sign, the unit and the exponent."});
+    if (rows.column[0][i] < 0)
+      rows.complain(i, {fmt::format("the record of {} starts before the run", name),
+                        fmt::format("at {:g} s", rows.column[0][i]), "The run starts at 0 s."});
+  }
+  return rows;
+}
+
+void check_ascending(Rows& rows, std::size_t c, bool strictly, const std::string& what) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double before = rows.column[c][i - 1], here = rows.column[c][i];
+    if (here < before || (strictly && here == before))
+      rows.complain(i, {what + " do not ascend", fmt::format("{:g} follows {:g}", here, before),
+                        strictly ? "Sort the rows, each value once." : "Sort the rows."});
+  }
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "meshes/mesh.h"
+#include "verification/scene/scene.h"
+
+namespace wetfront::verification {
+
+/// A place of a mesh in the scene's coordinates: in one dimension the only coordinate becomes y.
+std::array<double, 3> scene_point(const meshes::Point& point, int dim);
+
+/// Names the mesh's regions by the layer or zone that each cell's centre lies in, and cuts parts out of sides. Throws
+/// std::runtime_error where a part holds no face of its side.
+void lay_soils(const Scene& scene, meshes::Mesh& mesh);
+
+/// The scene's soil of each mesh region; a scene of one soil fills every region with it. Throws std::runtime_error.
+std::vector<const Soil*> soils_by_region(const Scene& scene, const meshes::Mesh& mesh);
+
+}  // namespace wetfront::verification
