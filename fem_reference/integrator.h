@@ -42,6 +42,7 @@ struct Tolerances {
 };
 
 std::unique_ptr<TimeIntegrator> make_bdf(StageKernel& kernel, Tolerances tolerances);
+std::unique_ptr<TimeIntegrator> make_dirk(StageKernel& kernel, Tolerances tolerances);
 std::unique_ptr<TimeIntegrator> make_backward_euler(StageKernel& kernel, Tolerances tolerances);
 
 /// dpsi/dt that belongs to dW/dt; 0 where the capacity is too small to tell (the head is then found by Newton).

@@ -20,7 +20,14 @@ double newton_tolerance(const RichardsProblem& problem) {
 
 std::unique_ptr<TimeIntegrator> make_integrator(const RichardsProblem& problem, StageKernel& kernel) {
   const Tolerances tolerances(problem.tolerance);
-  return problem.integrator == Integrator::bdf ? make_bdf(kernel, tolerances) : make_backward_euler(kernel, tolerances);
+  switch (problem.integrator) {
+    case Integrator::backward_euler:
+      return make_backward_euler(kernel, tolerances);
+    case Integrator::dirk:
+      return make_dirk(kernel, tolerances);
+    default:
+      return make_bdf(kernel, tolerances);
+  }
 }
 
 void add(Cost& sum, const Cost& cost) {
