@@ -1,6 +1,7 @@
 #include "fem_reference/integrator.h"
 
 #include <idas/idas.h>
+#include <nvector/nvector_parallel.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_nonlinearsolver.h>
 
@@ -13,8 +14,16 @@
 namespace wetfront::fem_reference {
 namespace {
 
+/// This rank's part of a vector.
 std::span<double> view(N_Vector v) {
-  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
+  const bool divided = N_VGetVectorID(v) == SUNDIALS_NVEC_PARALLEL;
+  return {N_VGetArrayPointer(v), static_cast<std::size_t>(divided ? NV_LOCLENGTH_P(v) : N_VGetLength(v))};
+}
+
+N_Vector make_vector(sunindextype length, const Ranks& ranks, SUNContext context) {
+  if (ranks.count() == 1) return N_VNew_Serial(length, context);
+  const auto all = static_cast<sunindextype>(ranks.sum(static_cast<double>(length)));
+  return N_VNew_Parallel(MPI_COMM_WORLD, length, all, context);
 }
 
 /// Variable-order, variable-step BDF of SUNDIALS IDAS on y = (W, psi), the stage kernel being its nonlinear
@@ -24,10 +33,12 @@ class Bdf : public TimeIntegrator {
  public:
   Bdf(StageKernel& kernel, Tolerances tolerances)
       : kernel_(kernel), n_(kernel.flow().space().dof_count), tolerances_(tolerances) {
-    check(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
-    y_ = N_VNew_Serial(2 * n_, context_);
-    yp_ = N_VNew_Serial(2 * n_, context_);
-    totals_ = N_VNew_Serial(static_cast<sunindextype>(std::max<std::size_t>(1, kernel.ledger_size())), context_);
+    const Ranks& ranks = kernel.flow().space().ranks;
+    MPI_Comm comm = MPI_COMM_WORLD;
+    check(SUNContext_Create(ranks.count() > 1 ? &comm : nullptr, &context_), "SUNContext_Create");
+    y_ = make_vector(2 * n_, ranks, context_);
+    yp_ = make_vector(2 * n_, ranks, context_);
+    totals_ = make_vector(static_cast<sunindextype>(std::max<std::size_t>(1, kernel.ledger_size())), ranks, context_);
     N_VConst(0, totals_);
     make_nonlinear_solver();
   }

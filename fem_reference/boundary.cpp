@@ -71,7 +71,8 @@ Boundary::Boundary(const RichardsProblem& problem, const Discretisation& space)
     if (moving_record(owner) != nullptr || varying_head(owner) != nullptr) moving_.push_back(static_cast<int>(h));
     if (fixed && std::holds_alternative<HeadSide>(owner)) held_[h].catchment.clear();
   }
-  find_breaks();
+  find_breaks(space);
+  any_moving_ = space.ranks.any(!moving_.empty());
 }
 
 void Boundary::add_drain(const SideShare& share, int condition) {
@@ -120,7 +121,7 @@ void Boundary::add_catchment(const SideShare& share, int condition, double area)
   held.catchment.push_back({condition, area, 0, 0});
 }
 
-void Boundary::find_breaks() {
+void Boundary::find_breaks(const Discretisation& space) {
   const auto add = [&](double t) {
     if (t > 0 && t < problem_.end_time) breaks_.push_back(t);
   };
@@ -150,9 +151,16 @@ void Boundary::find_breaks() {
       }
     }
   }
+  breaks_ = space.ranks.gather(breaks_);  // a level passes other nodes on other ranks
   std::sort(breaks_.begin(), breaks_.end());
-  // A level may pass two nodes of one height at times that differ by rounding.
+  // A level may pass two nodes of one height at times that differ by rounding, or a node at an output time: steps as
+  // short as that no integrator makes.
   const double close = 1e-12 * problem_.end_time;
+  for (double& time : breaks_) {
+    const auto& outputs = problem_.output_times;
+    const auto output = std::lower_bound(outputs.begin(), outputs.end(), time - close);
+    if (output != outputs.end() && *output <= time + close) time = *output;
+  }
   breaks_.erase(std::unique(breaks_.begin(), breaks_.end(), [&](double a, double b) { return b - a <= close; }),
                 breaks_.end());
 }

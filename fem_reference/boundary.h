@@ -60,7 +60,7 @@ class Boundary {
   const std::vector<double>& breaks() const { return breaks_; }
   bool has_demand() const { return has_demand_; }
   /// Some heads follow a record or a function of time.
-  bool heads_move() const { return !moving_.empty(); }
+  bool heads_move() const { return any_moving_; }
 
  private:
   void add_drain(const SideShare& share, int condition);
@@ -68,7 +68,7 @@ class Boundary {
   void add_level(const SideShare& share, int condition, const Discretisation& space);
   void add_catchment(const SideShare& share, int condition, double area);
   HeldDof& entry(int dof, int condition);
-  void find_breaks();
+  void find_breaks(const Discretisation& space);
   double middle_after(double time) const;
   void follow_function(HeldDof& held, double time) const;
 
@@ -84,7 +84,7 @@ class Boundary {
     double time = 0, value = 0, slope = 0;
   };
   std::vector<Piece> piece_;  ///< per condition
-  bool has_demand_ = false;
+  bool has_demand_ = false, any_moving_ = false;
 };
 
 }  // namespace wetfront::fem_reference

@@ -22,11 +22,11 @@ std::string describe_failure(const StageKernel& kernel, double time, double step
   std::ostringstream text;
   text << "gave up at t = " << time << " s with a step of " << step
        << " s: " << (failure.reason.empty() ? "the error test kept failing" : failure.reason) << "; worst in element "
-       << element << " at (";
+       << (space.ranks.count() > 1 ? space.mesh_cell[element] : element) << " at (";
   for (int axis = 0; axis < space.dim; ++axis) text << (axis > 0 ? ", " : "") << space.position[failure.dof][axis];
   text << ") m, pressure head " << failure.head << " m; residuals [m3/m3]";
   for (double r : failure.residuals) text << ' ' << r;
-  return text.str();
+  return space.ranks.text_of_largest(failure.worst, text.str());
 }
 
 }  // namespace wetfront::fem_reference

@@ -65,7 +65,7 @@ struct Discretisation {
   std::vector<double> corner_volume;    ///< [cell][corner]: the corner's share of the lumped mass, degree 1 only
   std::vector<double> gradient;         ///< [cell][point][local dof][axis], 1/m
   std::vector<double> weight;           ///< [cell][point], m^dim
-  std::vector<meshes::Point> position;  ///< [dof]
+  std::vector<meshes::Point> position;  ///< [dof, then ghost]
   std::vector<int> node_dof;            ///< mesh node -> dof
   std::vector<int> mesh_corner;         ///< [mesh cell][corner, deal.II's order] -> mesh node
   std::vector<StorageShare> storage;
@@ -89,6 +89,10 @@ struct Discretisation {
     return &corner_shape[static_cast<std::size_t>(cell_pattern[cell]) * corners() * dofs_per_cell];
   }
 };
+
+/// Of a solve on several ranks each has the cells that touch unknowns of its own, so that it can complete the equations
+/// of these; cell_dofs and node_dof then name ghosts too (numbered from dof_count on), nothing else does. A node, or a
+/// gauge, of another rank's cells has -1.
 
 /// The discretisation of the problem's own mesh. Throws std::invalid_argument when a gauge lies outside the mesh or
 /// periodic sides do not match.

@@ -12,8 +12,15 @@ namespace wetfront::fem_reference {
 template <int dim>
 class SpaceFiller {
  public:
-  SpaceFiller(const RichardsProblem& problem, const dealii::DoFHandler<dim>& dofs, const dealii::MappingQ<dim>& mapping)
-      : problem_(problem), dofs_(dofs), mapping_(mapping), fe_(dofs.get_fe()), numbering_(problem, dofs, mapping) {}
+  /// `shared`: on all ranks at once, each filling in its part.
+  SpaceFiller(const RichardsProblem& problem, const dealii::DoFHandler<dim>& dofs, const dealii::MappingQ<dim>& mapping,
+              bool shared)
+      : problem_(problem),
+        shared_(shared),
+        dofs_(dofs),
+        mapping_(mapping),
+        fe_(dofs.get_fe()),
+        numbering_(problem, dofs, mapping) {}
 
   Discretisation run() {
     out_.dim = dim;
@@ -21,6 +28,7 @@ class SpaceFiller {
     out_.dofs_per_cell = static_cast<int>(fe_.n_dofs_per_cell());
     out_.dof_count = numbering_.count();
     out_.position = numbering_.positions();
+    if (shared_) out_.ranks = Ranks(numbering_.ids(), out_.dof_count);
     nodes_.resize(fe_.n_dofs_per_cell());
     unknowns_.weight.assign(nodes_.size() * nodes_.size(), 0);  // pattern 0: nothing hangs
     for (std::size_t a = 0; a < nodes_.size(); ++a) unknowns_.weight[a * nodes_.size() + a] = 1;
@@ -28,11 +36,17 @@ class SpaceFiller {
     fill_mesh_corners();
     fill_cells();
     fill_sides();
-    for (const Gauge& gauge : problem_.gauges) out_.gauges.push_back(locate(gauge));
+    for (const Gauge& gauge : problem_.gauges) {
+      out_.gauges.push_back(locate(gauge));
+      if (!out_.ranks.any(out_.gauges.back().cell >= 0)) lies_outside(gauge);
+    }
     return std::move(out_);
   }
 
  private:
+  /// Neither hanging nor a ghost.
+  bool is_unknown(int dof) const { return dof >= 0 && dof < out_.dof_count; }
+
   template <class Cell>
   void visit(const Cell& cell) {
     cell->get_dof_indices(nodes_);
@@ -42,7 +56,7 @@ class SpaceFiller {
   void fill_mesh_corners() {
     out_.mesh_corner.resize(problem_.mesh.cell_count() * out_.corners());
     for (const auto& cell : dofs_.get_triangulation().cell_iterators_on_level(0)) {
-      const std::size_t first = cell->id().get_coarse_cell_id() * out_.corners();
+      const std::size_t first = static_cast<std::size_t>(cell->index()) * out_.corners();
       for (const unsigned int v : cell->vertex_indices()) out_.mesh_corner[first + v] = cell->vertex_index(v);
     }
   }
@@ -61,7 +75,7 @@ class SpaceFiller {
     out_.initial_head.assign(out_.dof_count, 0);
     std::map<std::pair<int, int>, double> volume;
     for (const auto& cell : dofs_.active_cell_iterators()) {
-      if (!cell->is_locally_owned()) continue;
+      if (!numbering_.here(cell)) continue;
       visit(cell);
       values.reinit(cell);
       lumped.reinit(cell);
@@ -73,10 +87,17 @@ class SpaceFiller {
     fill_shapes(gauss);
   }
 
+  // Not the id's coarse cell: where p4est divides the mesh that is the number of its tree.
+  template <class Cell>
+  static int mesh_cell(Cell cell) {
+    while (cell->level() > 0) cell = cell->parent();
+    return cell->index();
+  }
+
   template <class Cell>
   void append_cell(const Cell& cell) {
     const auto id = cell->id();
-    Box box{static_cast<int>(id.get_coarse_cell_id()), cell->level(), {}};
+    Box box{mesh_cell(cell), cell->level(), {}};
     int size = 1 << out_.levels;
     for (const auto child : id.get_child_indices()) {
       size /= 2;
@@ -100,7 +121,7 @@ class SpaceFiller {
   void fill_initial_head(Cell cell, const Box& box, double step, int size) {
     while (cell->level() > 0) cell = cell->parent();
     for (std::size_t a = 0; a < nodes_.size(); ++a) {
-      if (numbering_[nodes_[a]] < 0) continue;
+      if (!is_unknown(numbering_[nodes_[a]])) continue;
       dealii::Point<dim> unit = fe_.unit_support_point(a);
       for (int axis = 0; axis < dim; ++axis) unit[axis] = step * (box.low[axis] + size * unit[axis]);
       double head = 0;
@@ -134,7 +155,7 @@ class SpaceFiller {
       if (problem_.degree == 1) out_.corner_volume.push_back(share);
       for (std::size_t k = 0; k < n; ++k) {
         const double weight = unknowns_.weight[a * n + k];
-        if (weight != 0) volume[{unknowns_.dof[k], soil}] += weight * share;
+        if (weight != 0 && is_unknown(unknowns_.dof[k])) volume[{unknowns_.dof[k], soil}] += weight * share;
       }
     }
   }
@@ -179,7 +200,7 @@ class SpaceFiller {
       std::map<std::pair<int, int>, SideShare> shares;
       int index = -1;
       for (const auto& cell : dofs_.active_cell_iterators()) {
-        if (!cell->is_locally_owned()) continue;
+        if (!numbering_.here(cell)) continue;
         ++index;
         for (const unsigned int f : cell->face_indices()) {
           if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() != id) continue;
@@ -202,8 +223,8 @@ class SpaceFiller {
       if (!fe_.has_support_on_face(a, face)) continue;
       for (int k = 0; k < n; ++k) {
         const double weight = unknowns_.weight[a * n + k];
-        if (weight == 0) continue;
         const int dof = unknowns_.dof[k];
+        if (weight == 0 || !is_unknown(dof)) continue;
         SideShare& share = shares.try_emplace({dof, soil}, SideShare{dof, soil, 0, 0, {}}).first->second;
         for (unsigned int q = 0; q < values.n_quadrature_points; ++q) {
           const double area = weight * values.shape_value(a, q) * values.JxW(q);
@@ -224,7 +245,7 @@ class SpaceFiller {
     const dealii::Point<dim> point = to_dealii<dim>(gauge.position);
     int index = -1;
     for (const auto& cell : dofs_.active_cell_iterators()) {
-      if (!cell->is_locally_owned()) continue;
+      if (!numbering_.here(cell)) continue;
       ++index;
       if (cell->center().distance(point) > cell->diameter()) continue;
       try {
@@ -238,10 +259,15 @@ class SpaceFiller {
         continue;  // the point is outside the range in which this cell's map is invertible
       }
     }
+    return {-1, {}};
+  }
+
+  [[noreturn]] static void lies_outside(const Gauge& gauge) {
     throw std::invalid_argument("gauge '" + gauge.name + "' lies outside the mesh (no cell contains it)");
   }
 
   const RichardsProblem& problem_;
+  const bool shared_;
   const dealii::DoFHandler<dim>& dofs_;
   const dealii::MappingQ<dim>& mapping_;
   const dealii::FiniteElement<dim>& fe_;

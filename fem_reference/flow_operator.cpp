@@ -31,8 +31,9 @@ FlowOperator::FlowOperator(const RichardsProblem& problem, const Discretisation&
   for (const StorageShare& share : space.storage) volume_[share.dof] += share.volume;
   water_.resize(space.dof_count);
   capacity_.resize(space.dof_count);
-  inflow_.resize(space.dof_count);
-  passing_.resize(space.dof_count);
+  const std::size_t all = space.dof_count + space.ranks.ghosts();  // what falls on a ghost is its owner's to know
+  inflow_.resize(all);
+  passing_.resize(all);
   drainage_slope_.resize(space.dof_count);
   drained_.resize(boundary.condition_count());
   drive_.resize(points * space.dim);
@@ -76,11 +77,14 @@ double FlowOperator::source_total() const {
 
 void FlowOperator::evaluate(std::span<const double> head) {
   const CostTimer timer(evaluation_cost);
+  head_.assign(head.begin(), head.end());
+  head_.resize(inflow_.size());
+  space_.ranks.refresh(head_);
   evaluate_storage(head);
   std::fill(inflow_.begin(), inflow_.end(), 0.0);
   std::copy(source_.begin(), source_.end(), inflow_.begin());
   std::fill(passing_.begin(), passing_.end(), 0.0);
-  evaluate_flow(head);
+  evaluate_flow(head_);
   evaluate_drainage(head);
 }
 
@@ -241,7 +245,9 @@ void FlowOperator::make_pattern() {
   std::vector<std::vector<int>> rows(space_.dof_count);
   for (int cell = 0; cell < space_.cell_count; ++cell) {
     const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
-    for (int a = 0; a < n; ++a) rows[dof[a]].insert(rows[dof[a]].end(), dof, dof + n);
+    for (int a = 0; a < n; ++a) {
+      if (dof[a] < space_.dof_count) rows[dof[a]].insert(rows[dof[a]].end(), dof, dof + n);
+    }
   }
   pattern_.row_start.push_back(0);
   diagonal_.resize(space_.dof_count);
@@ -253,10 +259,15 @@ void FlowOperator::make_pattern() {
     pattern_.column.insert(pattern_.column.end(), rows[i].begin(), rows[i].end());
     pattern_.row_start.push_back(static_cast<int>(pattern_.column.size()));
   }
-  pattern_.value.assign(pattern_.column.size(), 0);
+  const int spare = static_cast<int>(pattern_.column.size());  // behind the matrix: takes the rows of ghosts
+  pattern_.value.assign(spare + 1, 0);
   for (int cell = 0; cell < space_.cell_count; ++cell) {
     const int* dof = &space_.cell_dofs[static_cast<std::size_t>(cell) * n];
     for (int a = 0; a < n; ++a) {
+      if (dof[a] >= space_.dof_count) {
+        entry_.insert(entry_.end(), n, spare);
+        continue;
+      }
       const auto& row = rows[dof[a]];
       for (int b = 0; b < n; ++b) {
         entry_.push_back(pattern_.row_start[dof[a]] +
@@ -275,7 +286,7 @@ std::vector<double> FlowOperator::water_at(std::span<const double> head) const {
 double FlowOperator::stored(std::span<const double> water) const {
   double sum = 0;
   for (int i = 0; i < space_.dof_count; ++i) sum += volume_[i] * water[i];
-  return sum;
+  return space_.ranks.sum(sum);
 }
 
 }  // namespace wetfront::fem_reference

@@ -44,6 +44,9 @@ class FlowOperator {
   /// Water in the soil for given W [m^dim].
   double stored(std::span<const double> water) const;
 
+  /// psi of the last evaluate() [dof, then ghost].
+  const std::vector<double>& head() const { return head_; }
+
   const Discretisation& space() const { return space_; }
   const Boundary& boundary() const { return boundary_; }
   const std::vector<SoilLaw>& laws() const { return laws_; }
@@ -70,6 +73,7 @@ class FlowOperator {
   std::function<double(const meshes::Point&, double)> source_function_;
   std::vector<double> source_;              ///< m_i f(x_i, t); empty without a source
   std::vector<double> factor_;              ///< per mesh cell, times Ks; empty: 1
+  std::vector<double> head_;                ///< [dof, then ghost]
   std::vector<double> drive_;               ///< T (grad psi - g), [cell][point][axis]
   std::vector<double> conductivity_;        ///< [cell][point]
   std::vector<double> conductivity_slope_;  ///< dK/dpsi_b, [cell][point][local dof]

@@ -48,7 +48,7 @@ std::unique_ptr<TimeIntegrator> make_backward_euler(StageKernel& kernel, Toleran
 /// dpsi/dt that belongs to dW/dt; 0 where the capacity is too small to tell (the head is then found by Newton).
 std::vector<double> head_rates(const FlowOperator& flow, const std::vector<double>& water_rates);
 
-/// One sentence on why the stage kernel failed: element, place, head, residual history.
+/// One sentence on why the stage kernel failed: element, place, head, residual history. All ranks ask at once.
 std::string describe_failure(const StageKernel& kernel, double time, double step);
 
 }  // namespace wetfront::fem_reference

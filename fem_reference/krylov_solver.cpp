@@ -1,4 +1,5 @@
 #include "fem_reference/linear_solver.h"
+#include "fem_reference/petsc_session.h"
 
 #include <petscksp.h>
 
@@ -10,25 +11,6 @@ namespace {
 
 void check(PetscErrorCode code, const char* what) {
   if (code != 0) throw std::runtime_error(std::string("PETSc: ") + what + " failed with code " + std::to_string(code));
-}
-
-/// PETSc for the life of the process, once something needs it: a serial start pays nothing. Its signal handlers and
-/// option files stay out.
-void start_petsc() {
-  struct Session {
-    Session() {
-      for (const char* option : {"-no_signal_handler", "-skip_petscrc"}) PetscOptionsSetValue(nullptr, option, nullptr);
-      check(PetscInitializeNoArguments(), "start");
-      PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
-    }
-    // Under mpirun MPI is over before static objects go, and PETSc must not outlive it.
-    ~Session() {
-      int finished = 0;
-      MPI_Finalized(&finished);
-      if (finished == 0) PetscFinalize();
-    }
-  };
-  static const Session session;
 }
 
 /// One preconditioner and the iterations around it.

@@ -37,8 +37,26 @@ class Numbering {
     merge_periodic();
   }
 
-  int count() const { return static_cast<int>(position_.size()); }
+  /// Unknowns of this rank; its ghosts are numbered behind them.
+  int count() const { return static_cast<int>(position_.size()) - ghosts_; }
   const std::vector<meshes::Point>& positions() const { return position_; }
+  /// deal.II's number of each of ours; without periodic sides.
+  std::vector<long long> ids() const {
+    std::vector<long long> id(position_.size());
+    for (DealiiIndex index = 0; index < number_.size(); ++index) {
+      if (number_[index] >= 0) id[number_[index]] = static_cast<long long>(index);
+    }
+    return id;
+  }
+  /// Whether this rank computes a cell: it touches an unknown of its own (all do of a mesh held whole).
+  template <class Cell>
+  bool here(const Cell& cell) const {
+    if (dofs_.locally_owned_dofs().n_elements() == dofs_.n_dofs()) return true;
+    if (cell->is_artificial()) return false;
+    std::vector<DealiiIndex> nodes(dofs_.get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(nodes);
+    return std::any_of(nodes.begin(), nodes.end(), [&](DealiiIndex i) { return own(i); });
+  }
   /// Ours for deal.II's; -1 for a hanging node.
   int operator[](DealiiIndex index) const { return number_[index]; }
 
@@ -76,6 +94,8 @@ class Numbering {
   }
 
  private:
+  bool own(DealiiIndex index) const { return dofs_.locally_owned_dofs().is_element(index); }
+
   // Numbering upwards makes a column, or a strip a few cells wide, a narrow band for the linear solver.
   void number_upwards() {
     const auto& fe = dofs_.get_fe();
@@ -83,7 +103,7 @@ class Numbering {
     std::vector<DealiiIndex> nodes(fe.n_dofs_per_cell()), order;
     std::vector<char> seen(dofs_.n_dofs(), 0);
     for (const auto& cell : dofs_.active_cell_iterators()) {
-      if (!cell->is_locally_owned()) continue;
+      if (!here(cell)) continue;
       cell->get_dof_indices(nodes);
       for (unsigned int a = 0; a < nodes.size(); ++a) {
         position[nodes[a]] = to_point(mapping_.transform_unit_to_real_cell(cell, fe.unit_support_point(a)));
@@ -92,6 +112,7 @@ class Numbering {
       }
     }
     std::sort(order.begin(), order.end(), [&](DealiiIndex a, DealiiIndex b) {
+      if (own(a) != own(b)) return own(a);
       for (int axis = dim - 1; axis >= 0; --axis) {
         if (position[a][axis] != position[b][axis]) return position[a][axis] < position[b][axis];
       }
@@ -101,6 +122,7 @@ class Numbering {
     for (const DealiiIndex index : order) {
       number_[index] = static_cast<int>(position_.size());
       position_.push_back(position[index]);
+      if (!own(index)) ++ghosts_;
     }
   }
 
@@ -122,6 +144,7 @@ class Numbering {
   }
 
   void merge_periodic() {
+    if (ghosts_ > 0) return;  // periodic sides are not shared between ranks
     PeriodicGroups groups(count(), dim);
     for (const BoundaryCondition& condition : problem_.boundary) {
       const auto* pair = std::get_if<PeriodicSides>(&condition);
@@ -142,6 +165,7 @@ class Numbering {
   dealii::AffineConstraints<double> hanging_;
   std::vector<int> number_;  ///< deal.II's index -> ours
   std::vector<meshes::Point> position_;
+  int ghosts_ = 0;
 };
 
 }  // namespace wetfront::fem_reference

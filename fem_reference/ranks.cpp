@@ -96,10 +96,6 @@ int Ranks::rank() const {
   return links_ ? links_->rank : 0;
 }
 
-int Ranks::own() const {
-  return links_->own;
-}
-
 int Ranks::ghosts() const {
   return links_ ? links_->ghosts : 0;
 }
@@ -129,13 +125,37 @@ void Ranks::refresh(std::span<double> values) const {
   }
 }
 
-double Ranks::max(double value) const {
-  if (links_) MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-  return value;
+std::vector<double> Ranks::with_ghosts(std::span<const double> own) const {
+  std::vector<double> values(own.begin(), own.end());
+  if (!links_) return values;
+  values.resize(links_->own + links_->ghosts);
+  refresh(values);
+  return values;
 }
 
 bool Ranks::any(bool value) const {
-  return max(value ? 1 : 0) > 0;
+  double flag = value ? 1 : 0;
+  max(std::span(&flag, 1));
+  return flag > 0;
+}
+
+void Ranks::max(std::span<double> values) const {
+  if (!links_) return;
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+}
+
+std::string Ranks::text_of_largest(double weight, std::string text) const {
+  if (!links_) return text;
+  struct {
+    double weight;
+    int rank;
+  } best{weight, links_->rank};
+  MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, MPI_COMM_WORLD);
+  int length = static_cast<int>(text.size());
+  MPI_Bcast(&length, 1, MPI_INT, best.rank, MPI_COMM_WORLD);
+  text.resize(length);
+  MPI_Bcast(text.data(), length, MPI_CHAR, best.rank, MPI_COMM_WORLD);
+  return text;
 }
 
 double Ranks::sum(double value) const {

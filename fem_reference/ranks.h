@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace wetfront::fem_reference {
@@ -18,7 +19,6 @@ class Ranks {
 
   int count() const;
   int rank() const;
-  int own() const;  ///< of a solve on several ranks only
   int ghosts() const;
   /// Number over all ranks of a local unknown, the first rank's first; of a solve on several ranks only.
   const std::vector<int>& global() const;
@@ -26,13 +26,18 @@ class Ranks {
 
   /// Ghosts of values [own + ghost] from their owners.
   void refresh(std::span<double> values) const;
-  double max(double value) const;
+  /// Values of the own unknowns with their ghosts behind them.
+  std::vector<double> with_ghosts(std::span<const double> own) const;
   bool any(bool value) const;
+  /// The largest, place by place; every rank has the result. No value may be NaN.
+  void max(std::span<double> values) const;
   double sum(double value) const;
   /// Adds up arrays of equal length, place by place; every rank has the result.
   void sum(std::span<double> values) const;
   /// Everyone's values behind one another, the first rank's first; every rank has the result.
   std::vector<double> gather(std::span<const double> values) const;
+  /// The text of the rank with the largest weight (the lowest such rank), for all.
+  std::string text_of_largest(double weight, std::string text) const;
 
  private:
   struct Links;

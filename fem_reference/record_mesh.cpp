@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace wetfront::fem_reference {
@@ -144,6 +145,9 @@ void RecordMesh::visit_parts(const Discretisation& space, std::span<const double
 
 namespace {
 
+/// What a rank says of places that only others know: their values are larger.
+constexpr double elsewhere = -std::numeric_limits<double>::infinity();
+
 double multilinear(const std::array<double, 8>& value, int dim, const std::array<double, 3>& unit) {
   double sum = 0;
   for (unsigned v = 0; v < 1U << dim; ++v) {
@@ -157,7 +161,7 @@ double multilinear(const std::array<double, 8>& value, int dim, const std::array
 }  // namespace
 
 std::vector<double> RecordMesh::at_nodes(const Discretisation& space, std::span<const double> field) const {
-  std::vector<double> result(mesh_.node_count(), 0.0);
+  std::vector<double> result(mesh_.node_count(), elsewhere);
   const int dim = space.dim, corners = space.corners();
   visit_parts(space, field, [&](int part, int, const auto& value, const auto& low, double size) {
     const std::size_t first = static_cast<std::size_t>(mesh_cell(part)) * corners;
@@ -167,14 +171,16 @@ std::vector<double> RecordMesh::at_nodes(const Discretisation& space, std::span<
       result[mesh_.cell(part)[i]] = multilinear(value, dim, unit);
     }
   });
+  space.ranks.max(result);
   return result;
 }
 
 std::vector<double> RecordMesh::at_cells(const Discretisation& space, std::span<const double> field) const {
-  std::vector<double> result(mesh_.cell_count(), 0.0);
+  std::vector<double> result(mesh_.cell_count(), elsewhere);
   const int dim = space.dim, n = space.dofs_per_cell;
   visit_parts(space, field, [&](int part, int cell, const auto& value, const auto& low, double size) {
     if (levels_ == 0) {  // of any degree
+      result[part] = 0;
       for (int a = 0; a < n; ++a) result[part] += space.centre_shape_of(cell)[a] * field[space.dofs_of(cell)[a]];
       return;
     }
@@ -182,6 +188,7 @@ std::vector<double> RecordMesh::at_cells(const Discretisation& space, std::span<
     for (int axis = 0; axis < dim; ++axis) unit[axis] += 0.5 * size;
     result[part] = multilinear(value, dim, unit);
   });
+  space.ranks.max(result);
   return result;
 }
 

@@ -18,7 +18,7 @@ class RecordMesh {
   /// Cell of the problem's mesh in which a cell of mesh() lies.
   int mesh_cell(std::size_t cell) const { return static_cast<int>(cell / parts_); }
 
-  /// A field given at the degrees of freedom, at the nodes of mesh().
+  /// A field given at the degrees of freedom, then at the ghosts, at the nodes of mesh(); all ranks have the result.
   std::vector<double> at_nodes(const Discretisation& space, std::span<const double> field) const;
   /// The same at the centres of the cells of mesh().
   std::vector<double> at_cells(const Discretisation& space, std::span<const double> field) const;

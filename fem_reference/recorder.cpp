@@ -1,6 +1,7 @@
 #include "fem_reference/recorder.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace wetfront::fem_reference {
 
@@ -11,7 +12,7 @@ Recorder::Recorder(const RichardsProblem& problem) : problem_(problem), totals_(
 void Recorder::attach(const FlowOperator& flow, const Boundary& boundary, const State& state) {
   flow_ = &flow;
   boundary_ = &boundary;
-  totals_.attach(boundary, state);
+  totals_.attach(boundary, flow.space().ranks, state);
   if (mesh_) return;
   mesh_.emplace(problem_, flow.space());
   history_.mesh = mesh_->mesh();
@@ -26,11 +27,27 @@ void Recorder::detach(const State& state) {
   collect_rain(state);
 }
 
-double Recorder::head_at(const State& state, int cell, const double* shape) const {
+void Recorder::record_gauges(const State& state) {
+  if (history_.gauges.empty()) return;
   const Discretisation& space = flow_->space();
-  double head = 0;
-  for (int a = 0; a < space.dofs_per_cell; ++a) head += shape[a] * state.head[space.dofs_of(cell)[a]];
-  return head;
+  const std::vector<double> local = space.ranks.with_ghosts(state.head);
+  // [gauge][head, saturation]: a gauge lies in cells of one rank, or between two that know the same.
+  std::vector<double> values(2 * history_.gauges.size(), -std::numeric_limits<double>::infinity());
+  for (std::size_t g = 0; g < history_.gauges.size(); ++g) {
+    const auto& [cell, shape] = space.gauges[g];
+    if (cell < 0) continue;
+    double head = 0;
+    for (int a = 0; a < space.dofs_per_cell; ++a) head += shape[a] * local[space.dofs_of(cell)[a]];
+    values[2 * g] = head;
+    values[2 * g + 1] = flow_->laws()[space.cell_soil[cell]].saturation(head);
+  }
+  space.ranks.max(values);
+  for (std::size_t g = 0; g < history_.gauges.size(); ++g) {
+    meshes::Gauge& gauge = history_.gauges[g];
+    gauge.time.push_back(state.time);
+    gauge.pressure.push_back(problem_.unit_weight * values[2 * g]);
+    gauge.saturation.push_back(values[2 * g + 1]);
+  }
 }
 
 void Recorder::record_step(const State& state) {
@@ -40,16 +57,7 @@ void Recorder::record_step(const State& state) {
   row.stored = flow_->stored(state.water);
   history_.ledger.push_back(row);
   totals_.append_to(history_.sides);
-
-  const Discretisation& space = flow_->space();
-  for (std::size_t g = 0; g < history_.gauges.size(); ++g) {
-    const Place& place = space.gauges[g];
-    const double head = head_at(state, place.cell, place.shape.data());
-    meshes::Gauge& gauge = history_.gauges[g];
-    gauge.time.push_back(state.time);
-    gauge.pressure.push_back(problem_.unit_weight * head);
-    gauge.saturation.push_back(flow_->laws()[space.cell_soil[place.cell]].saturation(head));
-  }
+  record_gauges(state);
 }
 
 void Recorder::record_snapshot(const State& state) {
@@ -58,7 +66,8 @@ void Recorder::record_snapshot(const State& state) {
   meshes::Snapshot snapshot;
   snapshot.time = state.time;
   snapshot.stage = "infiltration";
-  const std::vector<double> node_head = mesh_->at_nodes(space, state.head);
+  const std::vector<double> local = space.ranks.with_ghosts(state.head);
+  const std::vector<double> node_head = mesh_->at_nodes(space, local);
   // Where soils meet, a node holds the water of all of them in the pores of all of them.
   std::vector<double> water(node_head.size(), 0.0), pores(node_head.size(), 0.0);
   for (const RecordMesh::NodeShare& share : mesh_->shares()) {
@@ -69,7 +78,7 @@ void Recorder::record_snapshot(const State& state) {
     snapshot.node_pressure.push_back(problem_.unit_weight * node_head[i]);
     snapshot.node_saturation.push_back(water[i] / pores[i]);
   }
-  const std::vector<double> cell_head = mesh_->at_cells(space, state.head);
+  const std::vector<double> cell_head = mesh_->at_cells(space, local);
   for (std::size_t c = 0; c < cell_head.size(); ++c) {
     snapshot.cell_pressure.push_back(problem_.unit_weight * cell_head[c]);
     snapshot.cell_saturation.push_back(laws[history_.mesh.region[c]].saturation(cell_head[c]));
@@ -112,6 +121,32 @@ void Recorder::collect_rain_by_dof(const State& state) {
     rain.imposed = rain.asked - rain.run_off;
     history_.rain_by_node.push_back(rain);
   }
+  if (flow_->space().ranks.count() > 1) collect_rain_of_all();
+}
+
+// Upwards, as one rank numbers its dofs.
+void Recorder::collect_rain_of_all() {
+  const int dim = flow_->space().dim;
+  constexpr std::size_t width = 6;
+  std::vector<double> rows;
+  for (const meshes::NodeRain& rain : history_.rain_by_node) {
+    rows.insert(rows.end(), {static_cast<double>(rain.node), rain.position[0], rain.position[1], rain.position[2],
+                             rain.asked, rain.run_off});
+  }
+  rows = flow_->space().ranks.gather(rows);
+  history_.rain_by_node.clear();
+  for (std::size_t i = 0; i < rows.size(); i += width) {
+    const double* row = &rows[i];
+    history_.rain_by_node.push_back(
+        {static_cast<int>(row[0]), {row[1], row[2], row[3]}, row[4], row[4] - row[5], row[5]});
+  }
+  const auto upwards = [dim](const meshes::NodeRain& a, const meshes::NodeRain& b) {
+    for (int axis = dim - 1; axis >= 0; --axis) {
+      if (a.position[axis] != b.position[axis]) return a.position[axis] < b.position[axis];
+    }
+    return false;
+  };
+  std::sort(history_.rain_by_node.begin(), history_.rain_by_node.end(), upwards);
 }
 
 void Recorder::count_sides() {

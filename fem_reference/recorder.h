@@ -26,10 +26,11 @@ class Recorder {
   meshes::FieldHistory finish(const State& state);
 
  private:
-  double head_at(const State& state, int cell, const double* shape) const;
+  void record_gauges(const State& state);
   void count_sides();
   void collect_rain(const State& state);
   void collect_rain_by_dof(const State& state);
+  void collect_rain_of_all();
 
   const RichardsProblem& problem_;
   const FlowOperator* flow_ = nullptr;

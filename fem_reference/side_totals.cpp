@@ -25,8 +25,9 @@ SideTotals::SideTotals(const RichardsProblem& problem) : problem_(problem), sums
   if (problem.adaptivity) shown_.push_back({conditions + 1, "", "adapting the mesh"});
 }
 
-void SideTotals::attach(const Boundary& boundary, const State& state) {
+void SideTotals::attach(const Boundary& boundary, const Ranks& ranks, const State& state) {
   boundary_ = &boundary;
+  ranks_ = ranks;
   time_ = state.time;
   last_ = state.totals;
 }
@@ -54,9 +55,20 @@ void SideTotals::advance_dof(const HeldDof& held, double span, double run_off, d
   }
 }
 
+std::vector<SideTotals::Sums> SideTotals::of_all_ranks() const {
+  std::vector<double> values;
+  for (const Sums& s : sums_) values.insert(values.end(), {s.asked, s.run_off, s.outflow, s.evaporated, s.demanded});
+  ranks_.sum(values);
+  std::vector<Sums> all;
+  for (std::size_t i = 0; i < values.size(); i += 5) {
+    all.push_back({values[i], values[i + 1], values[i + 2], values[i + 3], values[i + 4]});
+  }
+  return all;
+}
+
 meshes::LedgerRow SideTotals::row() const {
   meshes::LedgerRow row;
-  for (const Sums& sums : sums_) {
+  for (const Sums& sums : of_all_ranks()) {
     row.rain_asked += sums.asked;
     row.run_off += sums.run_off;
     row.outflow += sums.outflow + sums.evaporated;
@@ -73,8 +85,9 @@ void SideTotals::append_to(std::vector<meshes::SideLedger>& sides) const {
       sides.back().condition = entry.condition;
     }
   }
+  const std::vector<Sums> all = of_all_ranks();
   for (std::size_t i = 0; i < shown_.size(); ++i) {
-    const Sums& sums = sums_[shown_[i].index];
+    const Sums& sums = all[shown_[i].index];
     sides[i].asked.push_back(sums.asked);
     sides[i].run_off.push_back(sums.run_off);
     sides[i].outflow.push_back(sums.outflow);

@@ -1,6 +1,7 @@
 #include "fem_reference/indicator.h"
 #include "fem_reference/problem_checks.h"
 #include "fem_reference/recorder.h"
+#include "fem_reference/shared_solve.h"
 #include "fem_reference/system.h"
 #include "fem_reference/transfer.h"
 
@@ -18,8 +19,9 @@ constexpr long most_steps = 2'000'000;
 /// One run: the march through time, on meshes that follow the front where the problem asks for it.
 class Run {
  public:
-  Run(const RichardsProblem& problem, meshes::Progress progress)
-      : problem_(problem), progress_(progress), space_(problem), recorder_(problem) {
+  /// `shared`: on all ranks at once.
+  Run(const RichardsProblem& problem, meshes::Progress progress, bool shared = false)
+      : problem_(problem), progress_(progress), space_(problem, shared), recorder_(problem) {
     if (problem.adaptivity) indicator_.emplace(problem);
     system_ = std::make_unique<System>(problem, space_.discretisation());
   }
@@ -122,11 +124,13 @@ class Run {
     const std::vector<double> taken = system_->kernel.make_consistent(state_.head);
     state_.water = system_->flow.water_at(state_.head);
     const std::size_t first = system_->boundary.held().size();
+    std::vector<double> of_all_ranks = taken;
+    system_->space.ranks.sum(of_all_ranks);
     for (std::size_t c = 0; c < taken.size(); ++c) {
       state_.totals[first + c] += taken[c];
-      if (taken[c] == 0 || state_.time > 0) continue;
-      recorder_.note("the initial state contradicts side '" + system_->boundary.side_name(static_cast<int>(c)) +
-                     "': " + std::to_string(taken[c]) + " m^dim of water left there at t = 0 to make it consistent");
+      if (of_all_ranks[c] == 0 || state_.time > 0) continue;
+      recorder_.note("the initial state contradicts side '" + system_->boundary.side_name(static_cast<int>(c)) + "': " +
+                     std::to_string(of_all_ranks[c]) + " m^dim of water left there at t = 0 to make it consistent");
     }
   }
 
@@ -199,7 +203,20 @@ class Run {
 
 meshes::FieldHistory solve(const RichardsProblem& problem, meshes::Progress progress) {
   check_problem(problem);
+  if (!other_ranks()) return march_alone(problem, progress);
+  const std::string why_not = not_shareable(problem);
+  if (why_not.empty()) return lead(problem, [&] { return march_together(problem, progress); });
+  meshes::FieldHistory history = march_alone(problem, progress);
+  history.log.push_back("solved on one rank of several: " + why_not);
+  return history;
+}
+
+meshes::FieldHistory march_alone(const RichardsProblem& problem, meshes::Progress progress) {
   return Run(problem, progress).march();
+}
+
+meshes::FieldHistory march_together(const RichardsProblem& problem, meshes::Progress progress) {
+  return Run(problem, progress, true).march();
 }
 
 }  // namespace wetfront::fem_reference

@@ -3,6 +3,8 @@
 #include "fem_reference/fill_space.h"
 
 #include <deal.II/base/multithread_info.h>
+#include <deal.II/distributed/p4est_wrappers.h>
+#include <deal.II/distributed/tria.h>
 
 namespace wetfront::fem_reference {
 
@@ -15,8 +17,7 @@ class Space::Triangulated {
 
 namespace {
 
-/// A mesh that one process holds whole. `Tria` may be any triangulation whose cells know whether they are locally
-/// owned; what follows visits no others.
+/// `Tria`: a mesh that one process holds whole, or one that p4est divides among the ranks (which stays as it is).
 template <int dim, class Tria>
 class Refinable : public Space::Triangulated {
  public:
@@ -27,12 +28,11 @@ class Refinable : public Space::Triangulated {
     dofs_.distribute_dofs(fe_);
   }
 
-  Discretisation fill() const override { return SpaceFiller<dim>(problem_, dofs_, mapping_).run(); }
+  Discretisation fill() const override { return SpaceFiller<dim>(problem_, dofs_, mapping_, shared).run(); }
 
   bool adapt(const std::vector<Space::Mark>& marks) override {
     std::size_t index = 0;
     for (const auto& cell : triangulation_.active_cell_iterators()) {
-      if (!cell->is_locally_owned()) continue;
       const Space::Mark mark = marks.at(index++);
       if (mark == Space::Mark::halve) cell->set_refine_flag();
       if (mark == Space::Mark::join && cell->level() > 0) cell->set_coarsen_flag();
@@ -45,6 +45,8 @@ class Refinable : public Space::Triangulated {
   }
 
  private:
+  static constexpr bool shared = !std::is_same_v<Tria, dealii::Triangulation<dim>>;
+
   bool any_flag() const {
     for (const auto& cell : triangulation_.active_cell_iterators()) {
       if (cell->refine_flag_set() || cell->coarsen_flag_set()) return true;
@@ -65,8 +67,16 @@ std::unique_ptr<Space::Triangulated> serial(const RichardsProblem& problem) {
   return std::make_unique<Refinable<dim, Tria>>(problem, Tria::limit_level_difference_at_vertices);
 }
 
-std::unique_ptr<Space::Triangulated> make(const RichardsProblem& problem) {
+template <int dim>
+std::unique_ptr<Space::Triangulated> divided(const RichardsProblem& problem) {
+  using Tria = dealii::parallel::distributed::Triangulation<dim>;
+  sc_set_log_defaults(nullptr, nullptr, SC_LP_SILENT);  // p4est tells its steps on stdout else
+  return std::make_unique<Refinable<dim, Tria>>(problem, MPI_COMM_WORLD);
+}
+
+std::unique_ptr<Space::Triangulated> make(const RichardsProblem& problem, bool shared) {
   dealii::MultithreadInfo::set_thread_limit(1);
+  if (shared) return problem.mesh.dim == 2 ? divided<2>(problem) : divided<3>(problem);
   switch (problem.mesh.dim) {
     case 1:
       return serial<1>(problem);
@@ -81,7 +91,7 @@ std::unique_ptr<Space::Triangulated> make(const RichardsProblem& problem) {
 
 }  // namespace
 
-Space::Space(const RichardsProblem& problem) : triangulated_(make(problem)) {}
+Space::Space(const RichardsProblem& problem, bool shared) : triangulated_(make(problem, shared)) {}
 
 Space::~Space() = default;
 

@@ -10,8 +10,9 @@ namespace wetfront::fem_reference {
 /// The mesh as it is refined: owns deal.II's triangulation and yields the flat arrays of the moment.
 class Space {
  public:
-  /// On the problem's own mesh. Throws std::invalid_argument as discretise().
-  explicit Space(const RichardsProblem& problem);
+  /// On the problem's own mesh. `shared`: on all ranks at once, p4est dividing the cells among them (two and three
+  /// dimensions; adapt() is not for these). Throws std::invalid_argument as discretise().
+  explicit Space(const RichardsProblem& problem, bool shared = false);
   ~Space();
   Space(const Space&) = delete;
   Space& operator=(const Space&) = delete;

@@ -172,6 +172,16 @@ double StageKernel::worst_residual(int& dof, double& ratio) const {
   return worst;
 }
 
+/// The worst residual of all ranks; the others are made theirs too.
+double StageKernel::agree(bool& changed, double& ratio) const {
+  const auto or_infinite = [](double x) { return std::isfinite(x) ? x : std::numeric_limits<double>::infinity(); };
+  double values[] = {changed ? 1.0 : 0.0, or_infinite(ratio), or_infinite(failure_.worst)};
+  flow_.space().ranks.max(values);
+  changed = values[0] > 0;
+  ratio = values[1];
+  return values[2];
+}
+
 void StageKernel::hold_rows(std::span<const double> head) {
   for (std::size_t h = 0; h < mode_.size(); ++h) {
     if (!is_held(h)) continue;
@@ -189,7 +199,7 @@ bool StageKernel::newton_step(double tau, std::span<double> head, double share) 
   for (int i = 0; i < matrix_.size(); ++i) {
     double scale = tau * flow_.passing()[i];
     for (int k = matrix_.row_start[i]; k < matrix_.row_start[i + 1]; ++k) {
-      scale += std::abs(matrix_.value[k] * head[matrix_.column[k]]);
+      scale += std::abs(matrix_.value[k] * flow_.head()[matrix_.column[k]]);
     }
     rounding_[i] = 4 * eps * scale;
   }
@@ -216,10 +226,11 @@ bool StageKernel::solve(std::span<const double> target, double tau, std::span<do
   for (int iteration = 0;; ++iteration) {
     evaluate(head);
     residual(target, tau);
-    const bool changed = update_active_set(tau, head);
+    bool changed = update_active_set(tau, head);
     double ratio = 0;
-    failure_.residuals.push_back(worst_residual(failure_.dof, ratio));
+    failure_.worst = worst_residual(failure_.dof, ratio);
     failure_.head = head[failure_.dof];
+    failure_.residuals.push_back(agree(changed, ratio));
     // The guess itself must be far better than that: a step so small that it changes less than the tolerance would
     // otherwise pass without doing anything, and its rain would be lost.
     if (!changed && ratio <= (iteration == 0 ? 1e-3 : 1)) return true;
@@ -262,7 +273,7 @@ StageKernel::Mode StageKernel::mode_of_rates(std::size_t h, double head, double 
 
 std::vector<double> StageKernel::rates(std::span<const double> head) {
   evaluate(head);
-  std::vector<double> rate = flow_.inflow();
+  std::vector<double> rate(flow_.inflow().begin(), flow_.inflow().begin() + flow_.space().dof_count);
   for (std::size_t h = 0; h < released_.size(); ++h) {
     const HeldDof& held = boundary_.held()[h];
     double& row = rate[held.dof];

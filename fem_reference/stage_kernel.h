@@ -59,7 +59,8 @@ class StageKernel {
 
   /// Why the last solve() failed.
   struct Failure {
-    int dof = 0;                    ///< where the residual is largest
+    int dof = 0;                    ///< where the residual is largest, of this rank's
+    double worst = 0;               ///< residual there
     double head = 0;                ///< psi there [m]
     std::vector<double> residuals;  ///< per iteration, max |residual| / m_i as a water content [-]
     std::string reason;
@@ -76,6 +77,7 @@ class StageKernel {
   void residual(std::span<const double> target, double tau);
   bool update_active_set(double tau, std::span<const double> head);
   double worst_residual(int& dof, double& ratio) const;
+  double agree(bool& changed, double& ratio) const;
   bool newton_step(double tau, std::span<double> head, double share);
   void hold_rows(std::span<const double> head);
   /// What a rain side does at a dof: passes everything; ponded at psi = 0; at psi = lowest with part of the demand met;

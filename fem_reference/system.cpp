@@ -67,9 +67,16 @@ void Effort::report(const RichardsProblem& problem, const System& last, double c
                     meshes::FieldHistory& history) {
   add(last);
   for (const auto& [name, count] : counters_) history.counters[name] = count;
-  history.counters["degrees of freedom"] = most_dofs_;
   if (problem.adaptivity && steps_ > 0) history.counters["degrees of freedom, mean over steps"] = dof_steps_ / steps_;
   history.solver = "fem: " + last.integrator->name() + ", Q" + std::to_string(problem.degree) + " lumped";
+  double sums[] = {cpu_seconds, evaluation_.seconds, assembly_.seconds, linear_.seconds, 1.0 * most_dofs_};
+  last.space.ranks.sum(sums);  // of all ranks, waiting for one another included
+  cpu_seconds = sums[0];
+  evaluation_.seconds = sums[1];
+  assembly_.seconds = sums[2];
+  linear_.seconds = sums[3];
+  history.counters["degrees of freedom"] = sums[4];
+  if (last.space.ranks.count() > 1) history.counters["ranks"] = last.space.ranks.count();
   history.cpu_seconds = cpu_seconds;
   history.cost = {
       {"stage", "residual", evaluation_.seconds, evaluation_.calls},

@@ -1,3 +1,4 @@
+#include "fem_reference/parallel.h"
 #include "mpm/problem.h"
 #include "verification/commands/commands.h"
 #include "verification/run/version.h"
@@ -57,6 +58,9 @@ CLI::Option* add_scenes(CLI::App* command, Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const wetfront::fem_reference::Parallel
+      parallel;  // under mpirun rank 0 runs the program, the others serve its solves
+  if (!parallel.leads()) return parallel.serve();
   CLI::App app{
       "Verifies a material point method for rainfall-induced landslides against a finite-element Richards reference."};
   app.name("wetfront");
