@@ -64,6 +64,8 @@ std::vector<double> layer_bottoms(const Geometry& geometry, double x) {
 
 std::vector<double> stations(const Geometry& geometry) {
   std::vector<double> places = {0, 0};
+  if (const auto* column = std::get_if<Column>(&geometry.shape))  // a strip of square cells
+    places[1] = column->cells > 0 && column->height > 0 ? column->height / column->cells : 1;
   if (const auto* slope = std::get_if<Slope>(&geometry.shape)) places[1] = slope->length;
   if (const auto* box = std::get_if<Box>(&geometry.shape)) places[1] = box->size.empty() ? 0 : box->size.front();
   if (const auto* profile = std::get_if<GroundProfile>(&geometry.shape)) {
