@@ -5,6 +5,7 @@
 #include "fem_reference/shared_solve.h"
 
 #include <mpi.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -15,6 +16,7 @@ namespace wetfront::fem_reference {
 namespace {
 
 int rank_count = 1, own_rank = 0;
+pid_t started_by = 0;  // processes that it forks have no part in MPI
 
 bool under_mpirun() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
@@ -65,6 +67,7 @@ Parallel::Parallel() {
   MPI_Init(nullptr, nullptr);
   MPI_Comm_size(MPI_COMM_WORLD, &rank_count);
   MPI_Comm_rank(MPI_COMM_WORLD, &own_rank);
+  started_by = getpid();
   start_petsc();
 }
 
@@ -98,7 +101,7 @@ int Parallel::serve() const {
 }
 
 bool other_ranks() {
-  return rank_count > 1;
+  return rank_count > 1 && getpid() == started_by;
 }
 
 std::string not_shareable(const RichardsProblem& problem) {

@@ -18,6 +18,7 @@ std::vector<Case> celia_cases();              ///< R8
 std::vector<Case> kirkland_cases();           ///< R9
 std::vector<Case> dry_soil_cases();           ///< Yolo clay, caisson, Forsyth 2
 std::vector<Case> rain_cases();               ///< ponding, sloping layer
+std::vector<Case> flume_slope_cases();        ///< cost of the slope of the paper's size
 std::vector<Case> manufactured_cases();       ///< the full operator, 1-D to 3-D
 std::vector<Case> order_in_time_cases();      ///< each integrator
 std::vector<Case> work_precision_cases();     ///< error over CPU seconds
