@@ -142,10 +142,7 @@ struct Patch {
 class Filler {
  public:
   Filler(const FlowOperator& flow, const std::vector<char>& fixed, std::vector<double>& head)
-      : flow_(flow), fixed_(fixed), head_(head), first_(flow.space().dof_count + 1, 0) {
-    for (const StorageShare& share : flow.space().storage) ++first_[share.dof + 1];  // sorted by dof
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-  }
+      : flow_(flow), fixed_(fixed), head_(head) {}
 
   void fill(const Patch& patch) {
     dofs_.clear();
@@ -173,12 +170,9 @@ class Filler {
     ValueAndSlope sum{-start_, 0};
     for (const int dof : dofs_) {
       const double head = shifted(dof, shift);
-      for (int k = first_[dof]; k < first_[dof + 1]; ++k) {
-        const StorageShare& share = flow_.space().storage[k];
-        const ValueAndSlope w = flow_.laws()[share.soil].storage(head);
-        sum.value += share.volume * w.value;
-        if (head != 0) sum.slope += share.volume * w.slope;
-      }
+      const ValueAndSlope w = flow_.storage_at(dof, head);
+      sum.value += flow_.volume()[dof] * w.value;
+      if (head != 0) sum.slope += flow_.volume()[dof] * w.slope;
     }
     return sum;
   }
@@ -206,9 +200,8 @@ class Filler {
   const FlowOperator& flow_;
   const std::vector<char>& fixed_;
   std::vector<double>& head_;
-  std::vector<int> first_;  ///< [dof] -> its first share of the storage
-  std::vector<int> dofs_;   ///< of the patch
-  double start_ = 0;        ///< water they hold
+  std::vector<int> dofs_;  ///< of the patch
+  double start_ = 0;       ///< water they hold
 };
 
 }  // namespace
