@@ -65,17 +65,29 @@ Figure front_figure(const meshes::FieldHistory& history) {
   return figure;
 }
 
+/// Where the pore pressure is zero, at each time; no series where it nowhere is.
+Figure water_table_figure(const meshes::FieldHistory& history) {
+  Figure figure = ground_figure({"water_table", "Water table: pore pressure zero", "Profiles"});
+  int colour = 0;
+  for (const meshes::Snapshot& snapshot : history.snapshots)
+    add(figure, contour(history.mesh, snapshot.node_pressure, 0), fmt::format("{:.6g} s", snapshot.time), colour++);
+  if (!figure.series.empty()) add_ground(figure, history.mesh);
+  return figure;
+}
+
 }  // namespace
 
 std::vector<Figure> plane_figures(const meshes::FieldHistory& history, const std::string& who) {
   if (history.mesh.dim != 2 || history.snapshots.empty()) return {};
   const meshes::Snapshot& last = history.snapshots.back();
   const std::string when = fmt::format(" of the {} at {:.6g} s", who, last.time);
-  return {contours_of({"pressure_contours", "Pore pressure" + when, "Profiles"}, history.mesh, last.node_pressure, kPa,
-                      " kPa"),
-          contours_of({"saturation_contours", "Degree of saturation" + when, "Profiles"}, history.mesh,
-                      last.node_saturation, 1, ""),
-          front_figure(history)};
+  std::vector<Figure> pictures = {contours_of({"pressure_contours", "Pore pressure" + when, "Profiles"}, history.mesh,
+                                              last.node_pressure, kPa, " kPa"),
+                                  contours_of({"saturation_contours", "Degree of saturation" + when, "Profiles"},
+                                              history.mesh, last.node_saturation, 1, ""),
+                                  front_figure(history), water_table_figure(history)};
+  std::erase_if(pictures, [](const Figure& picture) { return picture.series.empty(); });
+  return pictures;
 }
 
 }  // namespace wetfront::verification
