@@ -98,10 +98,8 @@ TEST(LinearSolvers, AgreeWithTheKnownSolution) {
 }
 
 TEST(LinearSolvers, PivotWhereTheDiagonalVanishes) {
-  SparseMatrix matrix = stencil({30, 3}, 0, 0.3);
-  for (int k = matrix.row_start[40]; k < matrix.row_start[41]; ++k) {
-    if (matrix.column[k] == 40) matrix.value[k] = 0;
-  }
+  SparseMatrix matrix = stencil({30, 1}, 0.1, 0);
+  matrix.value[0] = 0;  // the first to be eliminated: the given order is narrow and stays
   EXPECT_LT(error_of(*make_band_solver(narrow_band(matrix)), matrix), 1e-10);
 }
 
