@@ -87,7 +87,10 @@ class Bdf : public TimeIntegrator {
       }
       // A kink (ponding, saturation) can exhaust the retries of a high-order history; without the history it
       // goes on. Twice from the same state means that it does not.
-      if (++stuck_ > 1) throw StepFailure(describe_failure(kernel_, state.time, last_try_));
+      if (++stuck_ > 1) {
+        leap(state, stop);
+        return;
+      }
       ++restarts_;
       const int stuck = stuck_;
       start(state);
@@ -226,21 +229,24 @@ class Bdf : public TimeIntegrator {
   void leap(State& state, double stop) {
     constexpr int most = 6;
     creeping_ = 0;
-    if (++leaps_ > most) throw StepFailure(describe_failure(kernel_, state.time, last_try_) + "; the steps only creep");
+    if (++leaps_ > most) throw StepFailure(describe_failure(kernel_, state.time, last_try_, "the steps only creep"));
     ++all_leaps_;
     const double least = 1e-12 * (stop - state.time);
-    for (double step = 1e-9 * std::pow(10, leaps_) * (stop - state.time); step > least; step *= 0.25) {
+    bool taken = false;
+    for (double step = 1e-9 * std::pow(10, leaps_) * (stop - state.time); step > least && !taken; step *= 0.25) {
       std::vector<double> head = state.head;
       kernel_.set_time(state.time + step);
-      if (!kernel_.solve(state.water, step, head)) continue;
+      last_try_ = step;
+      taken = kernel_.solve(state.water, step, head);
+      if (!taken) continue;
       std::vector<double> rates(state.totals.size());
       kernel_.ledger_rates(rates);
       for (std::size_t k = 0; k < rates.size(); ++k) state.totals[k] += step * rates[k];
       state.head = std::move(head);
       state.water = kernel_.flow().water();
       state.time += step;
-      break;
     }
+    if (!taken) throw StepFailure(describe_failure(kernel_, state.time, last_try_));
     start(state);
   }
 

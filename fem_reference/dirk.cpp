@@ -25,6 +25,9 @@ class Dirk : public TimeIntegrator {
  public:
   Dirk(StageKernel& kernel, Tolerances tolerances)
       : kernel_(kernel), n_(kernel.flow().space().dof_count), tolerances_(tolerances) {
+    if (kernel.flow().space().ranks.count() > 1) {
+      throw std::invalid_argument("integrator: DIRK runs on one rank only (BDF on any number)");
+    }
     check(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
     y_ = N_VNew_Serial(static_cast<sunindextype>(n_ + kernel.ledger_size()), context_);
     rate_.resize(n_ + kernel.ledger_size());
@@ -118,7 +121,7 @@ class Dirk : public TimeIntegrator {
           "ARKStepSetErrHandlerFn");
   }
 
-  // The first step changes no W by more than its tolerance to the power 1/4, in the units of the tolerance's scale.
+  // The first step changes no W by more than its tolerance.
   double first_step(const State& state) const {
     double fastest = 0;
     for (int i = 0; i < n_; ++i) {

@@ -49,6 +49,7 @@ std::unique_ptr<TimeIntegrator> make_backward_euler(StageKernel& kernel, Toleran
 std::vector<double> head_rates(const FlowOperator& flow, const std::vector<double>& water_rates);
 
 /// One sentence on why the stage kernel failed: element, place, head, residual history. All ranks ask at once.
-std::string describe_failure(const StageKernel& kernel, double time, double step);
+/// `reason`: instead of the kernel's own.
+std::string describe_failure(const StageKernel& kernel, double time, double step, std::string reason = {});
 
 }  // namespace wetfront::fem_reference

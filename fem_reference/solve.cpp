@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 namespace wetfront::fem_reference {
 namespace {
@@ -154,9 +153,8 @@ class Run {
 
   void step(double stop) {
     if (++steps_ > most_steps) {
-      std::ostringstream text;
-      text << "gave up at t = " << state_.time << " s: " << most_steps << " steps were not enough";
-      throw StepFailure(text.str());
+      throw StepFailure(describe_failure(system_->kernel, state_.time, state_.time / static_cast<double>(most_steps),
+                                         std::to_string(most_steps) + " steps of this size on average got no farther"));
     }
     system_->integrator->step(state_, stop);
     effort_.step_taken(*system_);
