@@ -73,11 +73,19 @@ std::string cell_html(const Cell& cell) {
   return text + "</td>";
 }
 
-/// Unknowns of the largest run of a case, where its maker tells.
-constexpr const char* size_key = "degrees_of_freedom";
+/// What the maker of a run may tell of it in its provenance, for columns of their own.
+struct Column {
+  const char *key, *title;
+};
+constexpr Column told_columns[] = {{"observed_orders", "Orders"}, {"degrees_of_freedom", "DoF"}};
 
-bool has_size(const Record& record) {
-  return record.provenance.contains(size_key);
+std::vector<Column> columns_told(const std::vector<Run>& runs) {
+  std::vector<Column> told;
+  for (const Column& column : told_columns)
+    if (std::any_of(runs.begin(), runs.end(),
+                    [&](const Run& run) { return run.record.provenance.contains(column.key); }))
+      told.push_back(column);
+  return told;
 }
 
 std::string matrix(const std::vector<Run>& runs) {
@@ -85,17 +93,18 @@ std::string matrix(const std::vector<Run>& runs) {
   std::ostringstream out;
   out << "<div class=\"wide\"><table class=\"matrix\"><thead><tr><th>Case</th><th>Verdict</th>";
   for (const std::string& quantity : quantities) out << "<th><code>" << column_title(quantity) << "</code></th>";
-  const bool sizes = std::any_of(runs.begin(), runs.end(), [](const Run& run) { return has_size(run.record); });
-  if (sizes) out << "<th class=\"number\">DoF</th>";
+  const std::vector<Column> told = columns_told(runs);
+  for (const Column& column : told) out << "<th class=\"number\">" << column.title << "</th>";
   out << "<th class=\"number\">CPU&nbsp;[s]</th></tr></thead><tbody>\n";
   for (const Run& run : runs) {
     out << "<tr><th scope=\"row\"><a href=\"" << html(run.link) << "\">"
         << html(run.record.title.empty() ? run.record.case_name : run.record.title) << "</a><code>"
         << html(run.record.case_name) << "</code></th><td>" << badge(run.record.verdict) << "</td>";
     for (const std::string& quantity : quantities) out << cell_html(cell_of(run.record, quantity));
-    if (sizes)
-      out << "<td class=\"number\">" << (has_size(run.record) ? html(run.record.provenance.at(size_key)) : "–")
-          << "</td>";
+    for (const Column& column : told) {
+      const auto value = run.record.provenance.find(column.key);
+      out << "<td class=\"number\">" << (value == run.record.provenance.end() ? "–" : html(value->second)) << "</td>";
+    }
     out << "<td class=\"number\">" << html(number_text(run.record.cpu_seconds)) << "</td></tr>\n";
   }
   out << "</tbody></table></div>\n";

@@ -105,6 +105,7 @@ void CaseBook::judge_order(const std::string& quantity, const std::string& descr
   judge(quantity, fmt::format("{}: {:.3f} (wanted: {:g} to {:g})", description, order, gate.lowest, gate.highest),
         std::abs(order - middle), {0.5 * (gate.highest - gate.lowest), "orders", gate.reason});
   record_.findings.back().explanation = fmt::format("distance from {:g}", middle);
+  orders_ += fmt::format("{}{:.2f}", orders_.empty() ? "" : ", ", order);
 }
 
 void CaseBook::show(const std::string& quantity, const std::string& description, double value,
@@ -131,6 +132,7 @@ reports::Record CaseBook::finish(const std::string& failure) {
   }
   record_.verdict = overall(record_.findings);
   if (!runs_.rows.empty()) record_.tables.push_back(runs_);
+  if (!orders_.empty()) record_.provenance["observed_orders"] = orders_;
   record_.provenance["degrees_of_freedom"] = fmt::format("{:g}", degrees_of_freedom_);
   return std::move(record_);
 }

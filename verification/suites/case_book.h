@@ -35,7 +35,8 @@ class CaseBook {
   /// CPU seconds spent outside solve().
   void spend(double cpu_seconds) { record_.cpu_seconds += cpu_seconds; }
 
-  /// error <= gate.tolerance, else FAIL.
+  /// error <= gate.tolerance, else FAIL. `quantity` is the column of the matrix of cases: "error", "order", "front",
+  /// "infiltration", "water_balance".
   void judge(const std::string& quantity, const std::string& description, double error, const Gate& gate);
   /// |measured - expected| <= gate.tolerance; with unit "1" relative to |expected|. Both numbers are on the page.
   void expect(const std::string& quantity, const std::string& description, double measured, double expected,
@@ -60,6 +61,7 @@ class CaseBook {
     int runs = 0;
   } at_default_, at_reference_;
   double degrees_of_freedom_ = 0;
+  std::string orders_;  ///< all that were observed
 };
 
 /// Largest |stored - stored_0 - infiltrated + outflow| over the run, relative to |inflow| + |outflow|: all that passed

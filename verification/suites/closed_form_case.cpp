@@ -108,12 +108,12 @@ void climb_and_judge(const ClosedFormCase& test, CaseBook& book) {
   for (const int cells : test.ladder) ladder.push_back(climb(test, cells, book));
   for (const Rung& rung : ladder)
     for (std::size_t t = 0; t < rung.error.size() && rung.cells == test.gate.cells; ++t)
-      book.judge("head_error",
+      book.judge("error",
                  fmt::format("relative L2 of the head over the nodes, {} cells, after {}", rung.cells,
                              time_text(rung.history.snapshots[t].time)),
                  rung.error[t], {test.gate.relative_l2, "1", test.gate.reason});
   const Rung &coarse = ladder[ladder.size() - 2], &fine = ladder.back();
-  book.judge_order("order_in_space", fmt::format("observed order between {} and {} cells", coarse.cells, fine.cells),
+  book.judge_order("order", fmt::format("observed order between {} and {} cells", coarse.cells, fine.cells),
                    std::log2(worst(coarse.error) / worst(fine.error)), test.order);
   book.draw(profiles(test, ladder.front()));
   book.draw(error_over_cells(ladder));

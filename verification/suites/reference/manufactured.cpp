@@ -59,12 +59,11 @@ void climb(const exact::Manufactured& box, int dim, const Ladder& ladder, report
     put(slope, cells, measured.y.front() * std::pow(double(ladder.cells.front()) / cells, ladder.degree + 1));
   }
   const std::size_t last = measured.y.size() - 1;
-  book.judge_order("order_in_space",
+  book.judge_order("order",
                    fmt::format("degree {}: observed order of the rms error at Gauss points, {} to {} cells",
                                ladder.degree, ladder.cells[last - 1], ladder.cells[last]),
                    std::log2(measured.y[last - 1] / measured.y[last]), ladder.gate);
-  book.show("head_error",
-            fmt::format("degree {}: rms error at Gauss points, {} cells", ladder.degree, ladder.cells[last]),
+  book.show("shown", fmt::format("degree {}: rms error at Gauss points, {} cells", ladder.degree, ladder.cells[last]),
             measured.y[last], "m");
   figure.series.insert(figure.series.end(), {measured, slope});
 }

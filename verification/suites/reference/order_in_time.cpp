@@ -48,10 +48,10 @@ void measure(const Sweep& sweep, CaseBook& book) {
     put(over_tolerance, tolerance, error);
   }
   const double by_step = slope(over_step.x, over_step.y), by_tolerance = slope(over_tolerance.x, over_tolerance.y);
-  book.judge_order("order_in_time",
+  book.judge_order("order",
                    sweep.over_step ? "slope of the error over the mean step" : "slope of the error over the tolerance",
                    sweep.over_step ? by_step : by_tolerance, sweep.gate);
-  book.show("order_in_time", sweep.over_step ? "slope over the tolerance" : "slope over the mean step",
+  book.show("shown", sweep.over_step ? "slope over the tolerance" : "slope over the mean step",
             sweep.over_step ? by_tolerance : by_step, "orders");
   auto steps = figure_frame({"error_over_step", "Error over the mean time step", "Convergence"}, {"mean step", "s"},
                             {"relative L2 error of the head", "-"});
@@ -90,16 +90,19 @@ std::string integrator_name(fem::Integrator integrator) {
 }
 
 std::vector<Case> order_in_time_cases() {
-  return {in_time("order_in_time_bdf", "BDF of variable order",
-                  {fem::Integrator::bdf,
-                   {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8},
-                   false,
-                   {0.7, 1.2, "a BDF of variable order promises an error in proportion to the tolerance"}}),
-          in_time("order_in_time_backward_euler", "adaptive backward Euler",
-                  {fem::Integrator::backward_euler,
-                   {1e-4, 1e-5, 1e-6, 1e-7},
-                   true,
-                   {0.9, 1.1, "backward Euler is of first order; its steps here differ little"}})};
+  return {
+      in_time("order_in_time_bdf", "BDF of variable order",
+              {fem::Integrator::bdf,
+               {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8},
+               false,
+               {0.7, 1.2, "a BDF of variable order promises an error in proportion to the tolerance"}}),
+      in_time("order_in_time_backward_euler", "adaptive backward Euler",
+              {fem::Integrator::backward_euler,
+               {1e-4, 1e-5, 1e-6, 1e-7},
+               true,
+               {0.9, 1.1, "backward Euler is of first order; its steps here differ little"}}),
+      in_time("order_in_time_dirk", "SDIRK of order 4",
+              {fem::Integrator::dirk, {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, true, {3.5, 4.5, "SDIRK(5,3,4) is of order 4"}})};
 }
 
 }  // namespace wetfront::verification

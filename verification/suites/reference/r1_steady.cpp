@@ -53,10 +53,10 @@ void settle(const SteadyCase& in, CaseBook& book) {
     put(measured, cells, relative_l2(heads, expected));
     put(second, cells, measured.y.front() * std::pow(50.0 / cells, 2));
   }
-  book.judge("head_error", "relative L2 of the head over the nodes, 200 cells", measured.y.back(),
+  book.judge("error", "relative L2 of the head over the nodes, 200 cells", measured.y.back(),
              {in.tolerance, "1", in.reason});
-  book.judge_order("order_in_space", "observed order between 100 and 200 cells",
-                   std::log2(measured.y[1] / measured.y[2]), {1.9, 2.1, "gate R1 asks for order 2"});
+  book.judge_order("order", "observed order between 100 and 200 cells", std::log2(measured.y[1] / measured.y[2]),
+                   {1.9, 2.1, "gate R1 asks for order 2"});
   auto profile = figure_frame({"profiles", "Steady pressure head over elevation", "Profiles"}, {"pressure head", "m"},
                               {"elevation", "m"});
   profile.series = {exact, ours};

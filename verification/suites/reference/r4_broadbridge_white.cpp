@@ -50,7 +50,7 @@ void surface(CaseBook& book) {
   for (const auto& snapshot : history.snapshots) {
     const double t = snapshot.time / unit;
     const std::vector<double> theta = saturations(snapshot);
-    book.judge("content_error",
+    book.judge("error",
                fmt::format("Theta at the surface at t* = {:g}: {:.6f}, exact {:.6f}", t, theta.back(),
                            solution.surface_saturation(t)),
                std::abs(theta.back() - solution.surface_saturation(t)), {1e-3, "-", "gate R4"});
@@ -85,9 +85,9 @@ void ponding(CaseBook& book) {
         put(taken, row.time / unit, row.infiltrated / range);
       }
     last = found;
-    if (cells == 200) book.show("ponding_time", "t* of ponding on 200 cells", found, "-");
+    if (cells == 200) book.show("shown", "t* of ponding on 200 cells", found, "-");
   }
-  book.expect("ponding_time", "t* of the last step without run-off, 400 cells", last, expected,
+  book.expect("front", "t* of the last step without run-off, 400 cells", last, expected,
               {5e-3, "1", "gate R4: within 0.5 %"});
   reports::Figure figure = figure_frame({"infiltration", "Rain offered and taken up", "Time series"}, {"t*", "-"},
                                         {"cumulative, over range of content", "m"});

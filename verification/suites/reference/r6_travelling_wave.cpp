@@ -74,13 +74,13 @@ void travel(const WaveCase& in, CaseBook& book) {
   const auto history = book.solve(fmt::format("{} cells", in.cells), wave_problem(in, wave));
   const std::size_t last = in.times.size() - 1;
   const auto middle = [&](std::size_t s) { return depth_of_fraction(history, s, wave, in, 0.5); };
-  book.expect("front_speed",
+  book.expect("front",
               fmt::format("speed of the middle of the front from {:g} to {:g} d [cm/d]", in.times[last - 1] / day,
                           in.times[last] / day),
               (middle(last) - middle(last - 1)) / (in.times[last] - in.times[last - 1]) / cm_per_day,
               wave.speed() / cm_per_day, {5e-3, "1", "gate R6: within 0.5 %"});
   for (const double fraction : {0.99, 0.9, 0.75, 0.25, 0.1, 0.01})
-    book.expect("front_shape", fmt::format("distance of fraction {:g} of the rise from the middle [cm]", fraction),
+    book.expect("front", fmt::format("distance of fraction {:g} of the rise from the middle [cm]", fraction),
                 (depth_of_fraction(history, last, wave, in, fraction) - middle(last)) / cm,
                 wave.offset_at_fraction(fraction) / cm, {1, "cm", "gate R6: 1 cm"});
   if (in.start > 0)

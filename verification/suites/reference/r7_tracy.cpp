@@ -78,8 +78,8 @@ std::vector<Case> tracy_cases() {
   // Closed sides bring the front to the bottom in the middle of the run: its boundary layer wants the finer ladder.
   return {tracy({2, Tracy::Sides::specified, {12, 24, 48}, {1e-2, 24, reason}, Effort::everyday}),
           tracy({2, Tracy::Sides::closed, {24, 48, 96}, {1e-2, 24, reason}, Effort::heavy}),
-          tracy({3, Tracy::Sides::specified, {6, 12, 24}, {2e-2, 12, reason}, Effort::heavy}),
-          tracy({3, Tracy::Sides::closed, {6, 12, 24}, {2e-2, 12, reason}, Effort::heavy})};
+          tracy({3, Tracy::Sides::specified, {8, 16, 32}, {2e-2, 16, reason}, Effort::heavy}),
+          tracy({3, Tracy::Sides::closed, {8, 16, 32}, {2e-2, 16, reason}, Effort::heavy})};
 }
 
 }  // namespace wetfront::verification

@@ -61,7 +61,7 @@ void judge_heads(CaseBook& book, const std::vector<PrintedTime>& printed, const 
       const double off = std::abs(head_at_height(history.mesh, heads, height - p.depth * cm) / cm - p.head);
       if (off >= worst) worst = off, where = p.depth;
     }
-    book.judge("head_behind_front",
+    book.judge("error",
                fmt::format("heads behind the front after {:g} s, the worst at {:g} cm", printed[s].time, where), worst,
                {0.5, "cm", behind_reason});
   }
@@ -73,7 +73,7 @@ void judge_inflow(CaseBook& book, const meshes::FieldHistory& history, double pr
               printed, {1e-3, "1", "gate R8: within 0.1 % of the converged inflow"});
   const auto& first = history.ledger.front();
   const auto& last = history.ledger.back();
-  book.judge("mass_ratio", "|change of stored water / net inflow - 1|",
+  book.judge("water_balance", "|change of stored water / net inflow - 1|",
              std::abs((last.stored - first.stored) / (last.infiltrated - last.outflow) - 1),
              {1e-8, "1", "gate R8: Celia's mass ratio is 1 for the mixed form, whatever the step"});
 }
@@ -134,11 +134,11 @@ void against_time_step(CaseBook& book) {
     put(error, problem.end_time / history.counters.at("steps"), relative_l2(heads_of(history.snapshots.back()), exact));
     put(slope, error.x.back(), error.y.front() * error.x.back() / error.x.front());
   }
-  book.judge("mass_ratio", "|mass ratio - 1|, the worst of all step sizes", worst_ratio,
+  book.judge("water_balance", "|mass ratio - 1|, the worst of all step sizes", worst_ratio,
              {1e-8, "1", "gate R8: the mixed form conserves mass at any step"});
   const std::size_t n = error.x.size();
   book.judge_order(
-      "order_in_time", "observed order of backward Euler over its mean step",
+      "order", "observed order of backward Euler over its mean step",
       std::log(error.y[n - 2] / error.y[n - 1]) / std::log(error.x[n - 2] / error.x[n - 1]),
       {0.75, 1.25,
        "first order; the steps of one run differ by orders of magnitude, so their mean is a rough measure"});

@@ -61,10 +61,10 @@ void ponding(CaseBook& book) {
         Run{"backward Euler, 1e-4", fem::Integrator::backward_euler, 1e-4, 1e-2,
             "first order: 1e-4 per step adds up"}}) {
     const auto history = book.solve(run.label, ponding_problem(run.tolerance, run.integrator));
-    book.expect("run_off", fmt::format("water run off, {} [m]", run.label), history.ledger.back().run_off,
+    book.expect("infiltration", fmt::format("water run off, {} [m]", run.label), history.ledger.back().run_off,
                 finest.ledger.back().run_off, {run.gate, "1", run.reason});
   }
-  book.show("run_off", "share of the rain that ran off (there must be some)",
+  book.show("shown", "share of the rain that ran off (there must be some)",
             finest.ledger.back().run_off / finest.ledger.back().rain_asked, "1");
   book.draw(ledger_figure(finest));
 }

@@ -104,8 +104,7 @@ void compare(const std::vector<reports::Series>& curves, CaseBook& book) {
     row.push_back(std::isnan(ratio) ? "-" : fmt::format("{:.1f}", ratio));
     table.rows.push_back(row);
     if (error == 1e-3 && !std::isnan(ratio))
-      book.show("cost_ratio", "backward Euler's CPU seconds over the best integrator's at an error of 1 mm", ratio,
-                "-");
+      book.show("shown", "backward Euler's CPU seconds over the best integrator's at an error of 1 mm", ratio, "-");
   }
   book.tabulate(table);
 }
@@ -116,7 +115,9 @@ struct Sweep {
 };
 
 std::vector<Sweep> sweeps() {
+  // backward Euler last: the others are set beside it
   return {{fem::Integrator::bdf, {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}},
+          {fem::Integrator::dirk, {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}},
           {fem::Integrator::backward_euler, {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}}};
 }
 
