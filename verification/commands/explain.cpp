@@ -23,8 +23,10 @@ int explain(const Paths& scenes) {
     fmt::print("{}\n\n{}", prepared.scene.title, plan_text(mpm::plan(prepared.problem)));
     if (prepared.scene.reference)
       fmt::print(
-          "reference: Richards finite elements on {} cells, tolerance {:g}, again on {} cells for its own error\n",
-          prepared.scene.reference->cells, prepared.scene.reference->tolerance, 2 * prepared.scene.reference->cells);
+          "reference: Richards finite elements on {} cells, tolerance {:g}; for its own error also on cells twice and "
+          "half as large and at tolerance {:g}\n",
+          prepared.scene.reference->cells, prepared.scene.reference->tolerance,
+          prepared.scene.reference->tolerance / 10);
     else
       fmt::print("reference: none, the scene asks for no comparison\n");
   }

@@ -37,6 +37,13 @@ std::string value_text(double value) {
   return std::isnan(value) ? "never" : fmt::format("{:.6g}", value);
 }
 
+/// Rain on a lake or river: none of the soil's business while the side is under water.
+bool falls_on_water(const Scene& scene, const Rain& rain) {
+  return std::ranges::any_of(scene.boundaries, [&](const Boundary& boundary) {
+    return boundary.side == rain.side && boundary.water == WaterCondition::water_level;
+  });
+}
+
 /// What a measurement is called.
 struct Label {
   std::string quantity, description;
@@ -255,8 +262,9 @@ void Measuring::balances() {
   const double end = candidate_.ledger.back().time;
   const double asked = rain_asked(scene_, candidate_.mesh, end);
   if (!(asked > 0)) return;
-  own("rain_asked", "rain the candidate's boundary was asked for, against the scene",
-      relative_difference(candidate_.ledger.back().rain_asked, asked));
+  if (std::ranges::none_of(scene_.rains, [&](const Rain& rain) { return falls_on_water(scene_, rain); }))
+    own("rain_asked", "rain the candidate's boundary was asked for, against the scene",
+        relative_difference(candidate_.ledger.back().rain_asked, asked));
   double from = 0, worst_nodal = 0, worst_points = 0;
   for (const double until : timeline_.stage_end) {
     worst_nodal = std::max(worst_nodal, undelivered(candidate_.ledger, from, until, Sum::nodal));
@@ -271,10 +279,12 @@ void Measuring::balances() {
 void Measuring::overshoot() {
   if (scene_.rains.empty()) return;
   double highest = 0;
-  for (const Rain& rain : scene_.rains)
+  for (const Rain& rain : scene_.rains) {
+    if (falls_on_water(scene_, rain)) continue;
     for (const meshes::Snapshot& snapshot : candidate_.snapshots)
       for (const int node : candidate_.mesh.side(rain.side).faces)
         highest = std::max(highest, snapshot.node_pressure[node]);
+  }
   add({"overshoot", "largest pressure above zero at the rained surface [Pa]", -1, "", highest, {}, ""});
 }
 

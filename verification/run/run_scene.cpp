@@ -82,9 +82,9 @@ Prepared prepare(const Scene& scene) {
 Solved solve_candidate(const mpm::Problem<2>& problem) {
   const ProgressLine line("MPM");
   try {
-    return {mpm::run(problem, show_progress), ""};
+    return {mpm::run(problem, show_progress), "", ""};
   } catch (const mpm::GaveUp& error) {
-    return {error.partial, error.what()};
+    return {error.partial, error.what(), ""};
   }
 }
 
