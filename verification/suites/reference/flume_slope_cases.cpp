@@ -15,7 +15,8 @@ namespace {
 
 namespace fem = fem_reference;
 
-// What this loop took on the usual machine when nothing stood in its way [CPU s], and what the trial took there for the slope.
+// What this loop took on the usual machine when nothing stood in its way [CPU s], and what the trial took there for the
+// slope.
 constexpr double calibration_seconds = 0.050, trial_seconds = 6;
 
 /// CPU seconds of a fixed piece of work of the solver's kind: powers, as the soil curves have them, and sweeps through
