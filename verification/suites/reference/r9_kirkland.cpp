@@ -1,3 +1,4 @@
+#include "meshes/evaluate.h"
 #include "verification/present/figure_frame.h"
 #include "verification/suites/case_book.h"
 #include "verification/suites/closed_form_case.h"
@@ -34,25 +35,31 @@ fem::RichardsProblem kirkland(int along) {
   problem.initial_head.assign(problem.mesh.node_count(), dry);
   problem.end_time = day;
   problem.output_times = {day};
-  problem.tolerance = 1e-4;
+  problem.tolerance = 1e-3;  // the gate is on places, to 0.1 m; the mesh decides them
   return problem;
 }
 
-/// Places where the head passes `level` on the vertical lines of nodes at x = 0.5, 1, 1.5 ... 4.5 m.
-std::vector<meshes::Point> contour(const meshes::FieldHistory& history, double level) {
+/// Places where the head passes `level` on the lines of nodes of `grid`, along both axes. The heads between the nodes
+/// of a run are the finite elements' own, so that contours of two meshes are sampled alike.
+std::vector<meshes::Point> contour(const meshes::FieldHistory& history, const meshes::Mesh& grid, double level) {
+  const meshes::Evaluator head_at(history.mesh);
   const auto heads = heads_of(history.snapshots.back());
   std::vector<std::pair<meshes::Point, double>> nodes;
-  for (std::size_t i = 0; i < heads.size(); ++i) nodes.push_back({history.mesh.nodes[i], heads[i]});
-  std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first[0], a.first[1]) < std::pair(b.first[0], b.first[1]);
-  });
+  for (const auto& node : grid.nodes) nodes.push_back({node, head_at(heads, node)});
   std::vector<meshes::Point> found;
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const auto& [low, below] = nodes[i - 1];
-    const auto& [high, above] = nodes[i];
-    if (low[0] != high[0] || (below > level) == (above > level)) continue;
-    const double r = (level - below) / (above - below);
-    found.push_back({low[0], low[1] + r * (high[1] - low[1]), 0});
+  for (const int along : {0, 1}) {
+    const int across = 1 - along;
+    std::sort(nodes.begin(), nodes.end(), [&](const auto& a, const auto& b) {
+      return std::pair(a.first[across], a.first[along]) < std::pair(b.first[across], b.first[along]);
+    });
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      const auto& [low, below] = nodes[i - 1];
+      const auto& [high, above] = nodes[i];
+      if (low[across] != high[across] || (below > level) == (above > level)) continue;
+      meshes::Point at = low;
+      at[along] += (level - below) / (above - below) * (high[along] - low[along]);
+      found.push_back(at);
+    }
   }
   return found;
 }
@@ -75,7 +82,7 @@ reports::Figure contours(const std::vector<std::pair<std::string, meshes::FieldH
   for (const auto& [label, history] : runs)
     for (const double level : {0.0, -400.0}) {
       reports::Series series = points(fmt::format("{} m, {}", level, label), colour++);
-      for (const auto& at : contour(history, level)) put(series, at[0], at[1]);
+      for (const auto& at : contour(history, runs.back().second.mesh, level)) put(series, at[0], at[1]);
       figure.series.push_back(series);
     }
   return figure;
@@ -83,7 +90,7 @@ reports::Figure contours(const std::vector<std::pair<std::string, meshes::FieldH
 
 void judge_run(CaseBook& book, const meshes::FieldHistory& history) {
   const auto heads = heads_of(history.snapshots.back());
-  book.judge("water_balance", "water balance at tolerance 1e-4", relative_imbalance(history),
+  book.judge("water_balance", "water balance at tolerance 1e-3", relative_imbalance(history),
              {1e-6, "1", "gate R9: 1e-6"});
   book.expect("infiltration", "water taken up [m2]", history.ledger.back().infiltrated, 3 * 0.5,
               {1e-6, "1", "50 cm over 3 m, none of which may pond: the sand takes 5.4 m/d"});
@@ -99,7 +106,7 @@ void completes(CaseBook& book) {
 
 void on_three_meshes(CaseBook& book) {
   std::vector<std::pair<std::string, meshes::FieldHistory>> runs;
-  for (const int along : {25, 50, 100}) {
+  for (const int along : {50, 100, 200}) {
     const std::string label = fmt::format("{} x {} cells", along, along * 3 / 5);
     runs.emplace_back(label, book.solve(label, kirkland(along)));
   }
@@ -107,7 +114,7 @@ void on_three_meshes(CaseBook& book) {
   const meshes::FieldHistory& finest = runs.back().second;
   for (const double level : {0.0, -400.0})
     for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
-      const auto a = contour(runs[r].second, level), b = contour(finest, level);
+      const auto a = contour(runs[r].second, finest.mesh, level), b = contour(finest, finest.mesh, level);
       const auto text =
           fmt::format("contour of {} m: largest distance from {} to {}", level, runs[r].first, runs.back().first);
       const Gate gate{0.1, "m", "gate R9: within 0.1 m of the solution on a twice refined mesh"};
