@@ -1,6 +1,6 @@
 #include "fem_reference/problem_checks.h"
 
-#include "fem_reference/soil_law.h"
+#include "fem_reference/soil/soil_law.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "fem_reference/indicator.h"
 #include "fem_reference/problem_checks.h"
-#include "fem_reference/recorder.h"
-#include "fem_reference/shared_solve.h"
+#include "fem_reference/ranks/shared_solve.h"
+#include "fem_reference/record/recorder.h"
+#include "fem_reference/space/indicator.h"
+#include "fem_reference/space/transfer.h"
 #include "fem_reference/system.h"
-#include "fem_reference/transfer.h"
 
 #include <algorithm>
 #include <cmath>

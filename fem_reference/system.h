@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem_reference/integrator.h"
+#include "fem_reference/time/integrator.h"
 
 namespace wetfront::fem_reference {
 

@@ -1,4 +1,4 @@
-#include "fem_reference/tensor.h"
+#include "fem_reference/soil/tensor.h"
 #include "tests/fem_reference/columns.h"
 #include "verification/exact/tracy.h"
 

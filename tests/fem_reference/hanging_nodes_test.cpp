@@ -1,4 +1,4 @@
-#include "fem_reference/transfer.h"
+#include "fem_reference/space/transfer.h"
 
 #include "meshes/mesh.h"
 #include "tests/fem_reference/adapted.h"

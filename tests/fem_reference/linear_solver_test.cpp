@@ -1,5 +1,5 @@
-#include "fem_reference/linear_solver.h"
-#include "fem_reference/band_order.h"
+#include "fem_reference/linear/linear_solver.h"
+#include "fem_reference/linear/band_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Run by mpirun: rank 0 runs the tests, the others serve its solves.
-#include "fem_reference/shared_solve.h"
+#include "fem_reference/ranks/shared_solve.h"
 #include "columns.h"
 #include "fem_reference/parallel.h"
 

@@ -1,6 +1,6 @@
 // Run by mpirun on two ranks: the slope with 41,407 unknowns on one rank, then on both. The rank that waits sleeps.
 #include "fem_reference/parallel.h"
-#include "fem_reference/shared_solve.h"
+#include "fem_reference/ranks/shared_solve.h"
 #include "verification/suites/flume_slope.h"
 
 #include <algorithm>

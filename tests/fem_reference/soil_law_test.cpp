@@ -1,4 +1,4 @@
-#include "fem_reference/soil_law.h"
+#include "fem_reference/soil/soil_law.h"
 
 #include "tests/fem_reference/columns.h"
 

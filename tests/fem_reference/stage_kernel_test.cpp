@@ -1,4 +1,4 @@
-#include "fem_reference/stage_kernel.h"
+#include "fem_reference/stage/stage_kernel.h"
 
 #include "tests/fem_reference/columns.h"
 

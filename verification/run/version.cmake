@@ -4,7 +4,7 @@ execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIAB
                 ERROR_QUIET)
 execute_process(COMMAND git -C ${SOURCE} status --porcelain OUTPUT_VARIABLE changes ERROR_QUIET)
 # What a stored reference depends on besides its problem.
-file(GLOB code ${SOURCE}/fem_reference/*.cpp ${SOURCE}/fem_reference/*.h ${SOURCE}/meshes/*.cpp ${SOURCE}/meshes/*.h)
+file(GLOB_RECURSE code ${SOURCE}/fem_reference/*.cpp ${SOURCE}/fem_reference/*.h ${SOURCE}/meshes/*.cpp ${SOURCE}/meshes/*.h)
 list(SORT code)
 set(sums "${COMPILER}")
 foreach(file IN LISTS code)
