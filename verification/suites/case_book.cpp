@@ -133,7 +133,7 @@ reports::Record CaseBook::finish(const std::string& failure) {
   record_.verdict = overall(record_.findings);
   if (!runs_.rows.empty()) record_.tables.push_back(runs_);
   if (!orders_.empty()) record_.provenance["observed_orders"] = orders_;
-  record_.provenance["degrees_of_freedom"] = fmt::format("{:g}", degrees_of_freedom_);
+  if (degrees_of_freedom_ > 0) record_.provenance["degrees_of_freedom"] = fmt::format("{:g}", degrees_of_freedom_);
   return std::move(record_);
 }
 

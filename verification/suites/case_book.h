@@ -4,6 +4,7 @@
 #include "reports/record.h"
 #include "verification/suites/case.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,11 @@ class CaseBook {
   meshes::FieldHistory solve(const std::string& label, const fem_reference::RichardsProblem& problem);
   /// A run that something else made: as solve() does.
   void enter(const std::string& label, const meshes::FieldHistory& history, double tolerance);
-  /// CPU seconds spent outside solve().
-  void spend(double cpu_seconds) { record_.cpu_seconds += cpu_seconds; }
+  /// CPU seconds spent outside solve(), on so many unknowns.
+  void spend(double cpu_seconds, double degrees_of_freedom = 0) {
+    record_.cpu_seconds += cpu_seconds;
+    degrees_of_freedom_ = std::max(degrees_of_freedom_, degrees_of_freedom);
+  }
 
   /// error <= gate.tolerance, else FAIL. `quantity` is the column of the matrix of cases: "error", "order", "front",
   /// "infiltration", "water_balance".

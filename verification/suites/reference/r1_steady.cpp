@@ -34,7 +34,7 @@ std::vector<double> steady(const SteadyCase& in, int cells, CaseBook& book) {
   start_from(problem, [](const meshes::Point& at) { return -at[0]; });  // hydrostatic: knows nothing of the answer
   const CpuTime spent;
   auto heads = fem::steady_head(problem);
-  book.spend(spent.seconds());
+  book.spend(spent.seconds(), static_cast<double>(heads.size()));
   return heads;
 }
 
