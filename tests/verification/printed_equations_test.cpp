@@ -34,7 +34,7 @@ TEST(PrintedEquations, TheExponentBringsTheWaterFourTimesTooEarly) {
     return 0.0;
   };
   EXPECT_NEAR(arrival(result.candidate.history), 625, 10);
-  EXPECT_NEAR(arrival(result.reference.history), 2843, 10);
+  EXPECT_NEAR(arrival(result.reference->reference.history), 2843, 10);
 }
 
 }  // namespace
