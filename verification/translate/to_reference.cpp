@@ -8,6 +8,7 @@
 #include "verification/translate/scene_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace wetfront::verification {
@@ -52,8 +53,10 @@ fem_reference::RichardsProblem to_reference(const Scene& scene, const Timeline& 
   const ReferenceSettings& settings = *scene.reference;
   problem.integrator = integrator_of(settings);
   problem.degree = settings.degree;
-  if (settings.adaptive)
-    problem.adaptivity = fem_reference::Adaptivity{settings.adaptive->levels, settings.adaptive->threshold};
+  if (settings
+          .adaptive)  // what a cell may differ by shrinks with the cell, or finer meshes would not be finer at a front
+    problem.adaptivity = fem_reference::Adaptivity{settings.adaptive->levels,
+                                                   settings.adaptive->threshold * std::exp2(-resolution.halvings)};
   problem.tolerance = resolution.tolerance;
   if (start_is_computed(scene))
     problem.initial_head = antecedent_head(scene, problem);
