@@ -25,21 +25,6 @@ double share_of_step(const std::vector<double>& residuals, double share) {
   return residuals[n - 1] > 0.5 * residuals[n - 2] ? std::max(0.125, 0.5 * share) : std::min(1.0, 2 * share);
 }
 
-/// Per soil: the head at which it fills and how far below that theta has dropped by `drop` [m], by bisection.
-std::vector<FlatTop> flat_tops(const std::vector<SoilLaw>& laws, double drop) {
-  std::vector<FlatTop> tops;
-  for (const SoilLaw& law : laws) {
-    const double full = -law.air_entry(), target = law.water_content(0).value - drop;
-    double low = 0, high = 1;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (law.water_content(full - middle).value > target ? low : high) = middle;
-    }
-    tops.push_back({full, high});
-  }
-  return tops;
-}
-
 }  // namespace
 
 StageKernel::StageKernel(FlowOperator& flow, Boundary& boundary, double newton_tolerance)

@@ -8,13 +8,6 @@
 
 namespace wetfront::fem_reference {
 
-/// Near saturation W is flat: within `gap` [m] of the head at which a soil is full, W drops by less than the Newton
-/// tolerance.
-struct FlatTop {
-  double full;
-  double gap;
-};
-
 /// The nonlinear problem to which every time integrator reduces (README, Eq 4): find psi and released >= 0 with
 ///   m_i (W(psi_i) - target_i) = tau (R_i(psi) + rain_i - released_i),
 /// where on rain sides psi_i <= 0, released_i >= 0, psi_i released_i = 0, and on head sides psi_i is given; rain_i is
