@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem_reference/stage/flat_top.h"
 #include "fem_reference/stage/wetting_limit.h"
 
 #include <span>
