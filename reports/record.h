@@ -18,12 +18,13 @@ struct Finding {
   std::string unit = "1";
   double error = 0;
   double reference_bound = 0;  ///< the reference's own uncertainty of this quantity
-  double tolerance = 0;                                               ///< 0 for info
-  std::string reason;                                                 ///< why this tolerance
+  double tolerance = 0;        ///< 0 for info
+  std::string reason;          ///< why this tolerance
   Verdict verdict = Verdict::info;
   double cpu_s = 0;         ///< CPU seconds that bought this number
   std::string explanation;  ///< a sentence for inconclusive or failed findings; may be empty
-  /// How the reference's bound was found: "monotone", "oscillatory", ... as its meshes went; empty: no meshes behind it.
+  /// How the reference's bound was found: "monotone", "oscillatory", ... as its meshes went; empty: no meshes behind
+  /// it.
   std::string reference_convergence{};
   double reference_order = std::numeric_limits<double>::quiet_NaN();  ///< observed, in the cell size
 };
@@ -33,7 +34,7 @@ struct Series {
   std::string label;
   Style style = Style::line;
   std::vector<double> x, y;  ///< NaN in both: a line is broken there
-  int colour = -1;  ///< palette index: series that belong together share it; -1: next free
+  int colour = -1;           ///< palette index: series that belong together share it; -1: next free
 };
 
 struct Figure {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "fem_reference/space/space.h"
 #include "fem_reference/stage/boundary.h"
 #include "fem_reference/stage/flow_operator.h"
-#include "fem_reference/space/space.h"
 #include "tests/fem_reference/columns.h"
 
 #include <random>
