@@ -17,7 +17,7 @@ double counter(const meshes::FieldHistory& history, const std::string& name) {
   return found == history.counters.end() ? 0 : found->second;
 }
 
-/// Runs at reference tolerances owe the stricter balance (issue 3).
+/// Runs at reference tolerances owe the stricter balance.
 constexpr double reference_tolerance = 1e-6;
 
 }  // namespace
