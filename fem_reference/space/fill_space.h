@@ -87,17 +87,18 @@ class SpaceFiller {
     fill_shapes(gauss);
   }
 
+  using AnyCell = typename dealii::DoFHandler<dim>::cell_iterator;
+
   // Not the id's coarse cell: where p4est divides the mesh that is the number of its tree.
-  template <class Cell>
-  static int mesh_cell(Cell cell) {
+  static AnyCell mesh_cell(AnyCell cell) {
     while (cell->level() > 0) cell = cell->parent();
-    return cell->index();
+    return cell;
   }
 
   template <class Cell>
   void append_cell(const Cell& cell) {
     const auto id = cell->id();
-    Box box{mesh_cell(cell), cell->level(), {}};
+    Box box{mesh_cell(cell)->index(), cell->level(), {}};
     int size = 1 << out_.levels;
     for (const auto child : id.get_child_indices()) {
       size /= 2;
@@ -113,13 +114,11 @@ class SpaceFiller {
       const unsigned int vertex = cell->vertex_index(v);  // the mesh's nodes come first and never hang
       if (vertex < out_.node_dof.size()) out_.node_dof[vertex] = numbering_[cell->vertex_dof_index(v, 0)];
     }
-    fill_initial_head(cell, box, 1.0 / (1 << out_.levels), size);
+    fill_initial_head(mesh_cell(cell), box, 1.0 / (1 << out_.levels), size);
   }
 
   // The given heads are multilinear between the nodes of the mesh.
-  template <class Cell>
-  void fill_initial_head(Cell cell, const Box& box, double step, int size) {
-    while (cell->level() > 0) cell = cell->parent();
+  void fill_initial_head(const AnyCell& cell, const Box& box, double step, int size) {
     for (std::size_t a = 0; a < nodes_.size(); ++a) {
       if (!is_unknown(numbering_[nodes_[a]])) continue;
       dealii::Point<dim> unit = fe_.unit_support_point(a);
