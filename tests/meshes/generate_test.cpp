@@ -1,5 +1,5 @@
-#include "meshes/geo_script.h"
 #include "meshes/gmsh.h"
+#include "tests/meshes/shapes.h"
 #include "tests/meshes/total_measure.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ namespace wetfront::meshes {
 namespace {
 
 TEST(Generate, LineColumnRunsFromBaseToTop) {
-  const Mesh mesh = generate(line_column_script(1.2, 40), 1);
+  const Mesh mesh = generate(line_script(1.2, 40), 1);
   ASSERT_EQ(mesh.cell_count(), 40u);
   for (int i = 0; i <= 40; ++i) EXPECT_NEAR(mesh.nodes[i][0], 0.03 * i, 1e-11);  // gmsh spaces to 1e-12
   EXPECT_EQ(mesh.side("base").faces, std::vector<int>{0});
@@ -21,7 +21,7 @@ TEST(Generate, LineColumnRunsFromBaseToTop) {
 }
 
 TEST(Generate, StripColumnIsOneCellWide) {
-  const Mesh mesh = generate(strip_column_script(1.2, 0.03, 40), 2);
+  const Mesh mesh = generate(strip_script(1.2, 0.03, 40), 2);
   EXPECT_EQ(mesh.cell_count(), 40u);
   EXPECT_EQ(mesh.node_count(), 82u);
   EXPECT_NEAR(total_measure(mesh), 0.036, 1e-14);

@@ -1,7 +1,7 @@
 #include "meshes/refine.h"
 
-#include "meshes/geo_script.h"
 #include "meshes/gmsh.h"
+#include "tests/meshes/shapes.h"
 #include "tests/meshes/total_measure.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ TEST(Refine, HalvesQuadrilateralsAndTheirSides) {
 }
 
 TEST(Refine, HalvesALine) {
-  const Mesh fine = refined(generate(line_column_script(1.2, 4), 1));
+  const Mesh fine = refined(generate(line_script(1.2, 4), 1));
   EXPECT_NO_THROW(validate(fine));
   EXPECT_EQ(fine.cell_count(), 8u);
   EXPECT_NEAR(total_measure(fine), 1.2, 1e-12);

@@ -1,7 +1,7 @@
 #include "verification/compare/profile.h"
 
-#include "meshes/geo_script.h"
 #include "meshes/gmsh.h"
+#include "tests/meshes/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ TEST(Profile, FrontLiesWhereSaturationIsHalfWay) {
 
 TEST(Profile, AOneDimensionalSolutionIsReadAtTheCellsElevation) {
   meshes::FieldHistory line;
-  line.mesh = meshes::generate(meshes::line_column_script(1.0, 10), 1);
+  line.mesh = meshes::generate(meshes::line_script(1.0, 10), 1);
   meshes::Snapshot snapshot;
   for (const auto& node : line.mesh.nodes) {
     snapshot.node_pressure.push_back(100 * node[0]);
@@ -38,7 +38,7 @@ TEST(Profile, AOneDimensionalSolutionIsReadAtTheCellsElevation) {
   }
   line.snapshots = {snapshot};
   meshes::FieldHistory strip;
-  strip.mesh = meshes::generate(meshes::strip_column_script(1.0, 0.2, 5), 2);
+  strip.mesh = meshes::generate(meshes::strip_script(1.0, 0.2, 5), 2);
   strip.snapshots.resize(1);
   const auto profiles = profiles_at_cells(line, strip);
   for (std::size_t c = 0; c < strip.mesh.cell_count(); ++c)
@@ -47,8 +47,8 @@ TEST(Profile, AOneDimensionalSolutionIsReadAtTheCellsElevation) {
 
 TEST(Profile, CellAveragesAreComparedWithAverages) {
   meshes::FieldHistory line, strip;
-  line.mesh = meshes::generate(meshes::line_column_script(1.0, 80), 1);
-  strip.mesh = meshes::generate(meshes::strip_column_script(1.0, 0.2, 5), 2);
+  line.mesh = meshes::generate(meshes::line_script(1.0, 80), 1);
+  strip.mesh = meshes::generate(meshes::strip_script(1.0, 0.2, 5), 2);
   strip.snapshots.resize(2);
   strip.snapshots[1].cells_hold_averages = true;
   meshes::Snapshot parabola;
