@@ -1,7 +1,7 @@
 #include "fem_reference/parallel.h"
 
 #include "fem_reference/linear/petsc_session.h"
-#include "fem_reference/ranks/problem_message.h"
+#include "fem_reference/problem_message.h"
 #include "fem_reference/ranks/shared_solve.h"
 
 #include <mpi.h>

@@ -1,9 +1,9 @@
 #include "fem_reference/time/integrator.h"
+#include "fem_reference/time/sundials.h"
 
 #include <idas/idas.h>
 #include <nvector/nvector_parallel.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_nonlinearsolver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,6 @@
 
 namespace wetfront::fem_reference {
 namespace {
-
-/// This rank's part of a vector.
-std::span<double> view(N_Vector v) {
-  const bool divided = N_VGetVectorID(v) == SUNDIALS_NVEC_PARALLEL;
-  return {N_VGetArrayPointer(v), static_cast<std::size_t>(divided ? NV_LOCLENGTH_P(v) : N_VGetLength(v))};
-}
 
 N_Vector make_vector(sunindextype length, const Ranks& ranks, SUNContext context) {
   if (ranks.count() == 1) return N_VNew_Serial(length, context);
@@ -40,7 +34,7 @@ class Bdf : public TimeIntegrator {
     yp_ = make_vector(2 * n_, ranks, context_);
     totals_ = make_vector(static_cast<sunindextype>(std::max<std::size_t>(1, kernel.ledger_size())), ranks, context_);
     N_VConst(0, totals_);
-    make_nonlinear_solver();
+    newton_ = make_stage_solver(this, solve_stage, context_);
   }
 
   ~Bdf() override {
@@ -113,20 +107,6 @@ class Bdf : public TimeIntegrator {
   }
 
  private:
-  static void check(int flag, const char* what) {
-    if (flag < 0) throw std::runtime_error(std::string(what) + " failed with flag " + std::to_string(flag));
-  }
-
-  void make_nonlinear_solver() {
-    newton_ = SUNNonlinSolNewEmpty(context_);
-    newton_->content = this;
-    newton_->ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
-    newton_->ops->initialize = [](SUNNonlinearSolver) { return SUN_NLS_SUCCESS; };
-    newton_->ops->setsysfn = [](SUNNonlinearSolver, SUNNonlinSolSysFn) { return SUN_NLS_SUCCESS; };
-    newton_->ops->free = [](SUNNonlinearSolver) { return SUN_NLS_SUCCESS; };
-    newton_->ops->solve = solve_stage;
-  }
-
   void create(double time) {
     ida_ = IDACreate(context_);
     // IDA insists on a residual function; with its nonlinear solver replaced, nothing calls it.

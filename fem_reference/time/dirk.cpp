@@ -1,8 +1,8 @@
 #include "fem_reference/time/integrator.h"
+#include "fem_reference/time/sundials.h"
 
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_nonlinearsolver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +12,6 @@
 
 namespace wetfront::fem_reference {
 namespace {
-
-std::span<double> view(N_Vector v) {
-  return {N_VGetArrayPointer(v), static_cast<std::size_t>(N_VGetLength(v))};
-}
 
 /// Diagonally implicit Runge-Kutta of SUNDIALS ARKStep (SDIRK_5_3_4: order 4, embedded 3, L-stable, stiffly accurate)
 /// on y = (W, ledger), the stage kernel being its nonlinear solver. psi is not part of y: the kernel finds it with each
@@ -31,13 +27,7 @@ class Dirk : public TimeIntegrator {
     check(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
     y_ = N_VNew_Serial(static_cast<sunindextype>(n_ + kernel.ledger_size()), context_);
     rate_.resize(n_ + kernel.ledger_size());
-    newton_ = SUNNonlinSolNewEmpty(context_);
-    newton_->content = this;
-    newton_->ops->gettype = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
-    newton_->ops->initialize = [](SUNNonlinearSolver) { return SUN_NLS_SUCCESS; };
-    newton_->ops->setsysfn = [](SUNNonlinearSolver, SUNNonlinSolSysFn) { return SUN_NLS_SUCCESS; };
-    newton_->ops->free = [](SUNNonlinearSolver) { return SUN_NLS_SUCCESS; };
-    newton_->ops->solve = solve_stage;
+    newton_ = make_stage_solver(this, solve_stage, context_);
   }
 
   ~Dirk() override {
@@ -100,10 +90,6 @@ class Dirk : public TimeIntegrator {
   }
 
  private:
-  static void check(int flag, const char* what) {
-    if (flag < 0) throw std::runtime_error(std::string(what) + " failed with flag " + std::to_string(flag));
-  }
-
   void create(double time) {
     ark_ = ARKStepCreate(nullptr, right_side, time, y_, context_);
     check(ARKStepSetUserData(ark_, this), "ARKStepSetUserData");

@@ -1,4 +1,4 @@
-#include "fem_reference/ranks/problem_message.h"
+#include "fem_reference/problem_message.h"
 #include "columns.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
-#include "fem_reference/ranks/problem_message.h"
+#include "fem_reference/problem_message.h"
 
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
@@ -101,6 +102,10 @@ void visit(auto& archive, Is<Gauge> auto& value) {
   auto& [name, position] = value;
   archive(name, position);
 }
+void visit(auto& archive, Is<Adaptivity> auto& value) {
+  auto& [levels, threshold] = value;
+  archive(levels, threshold);
+}
 void visit(auto& archive, Is<meshes::Side> auto& value) {
   auto& [name, faces] = value;
   archive(name, faces);
@@ -111,14 +116,19 @@ void visit(auto& archive, Is<meshes::Mesh> auto& value) {
 }
 void visit(auto& archive, Is<RichardsProblem> auto& value) {
   auto& [mesh, gravity, weight, soils, factor, boundary, head, end, times, gauges, integrator, tolerance, degree,
-         adaptivity, source] = value;  // meshes that move and `source` stay behind
-  archive(mesh, gravity, weight, soils, factor, boundary, head, end, times, gauges, integrator, tolerance, degree);
+         adaptivity, source] = value;  // `source` stays behind
+  archive(mesh, gravity, weight, soils, factor, boundary, head, end, times, gauges, integrator, tolerance, degree,
+          adaptivity);
 }
 
 template <class T>
 struct IsVector : std::false_type {};
 template <class T>
 struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
 template <class T>
 struct IsVariant : std::false_type {};
 template <class... T>
@@ -138,7 +148,12 @@ void Writer::one(const T& value) {
     const std::size_t index = value.index();
     raw(&index, sizeof index);
     std::visit([&](const auto& held) { one(held); }, value);
-  } else if constexpr (std::is_trivially_copyable_v<T>) {
+  } else if constexpr (IsOptional<T>::value) {
+    one(value.has_value());
+    if (value) visit(*this, *value);  // entry by entry: a struct's padding has no meaning
+  } else if constexpr (std::is_empty_v<T>) {
+    // its one byte has no meaning either
+  } else if constexpr (std::is_trivially_copyable_v<T>) {  // numbers, and structs of nothing but doubles
     raw(&value, sizeof value);
   } else {
     visit(*this, value);
@@ -172,7 +187,13 @@ void Reader::one(T& value) {
     raw(&index, sizeof index);
     choose(value, index);
     std::visit([&](auto& held) { one(held); }, value);
-  } else if constexpr (std::is_trivially_copyable_v<T>) {
+  } else if constexpr (IsOptional<T>::value) {
+    bool given = false;
+    one(given);
+    if (given) visit(*this, value.emplace());
+  } else if constexpr (std::is_empty_v<T>) {
+    // its one byte has no meaning either
+  } else if constexpr (std::is_trivially_copyable_v<T>) {  // numbers, and structs of nothing but doubles
     raw(&value, sizeof value);
   } else {
     visit(*this, value);
