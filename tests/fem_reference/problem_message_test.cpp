@@ -22,7 +22,12 @@ RichardsProblem everything() {
                       FreeDrainageSide{"left"},
                       FluxSide{"right", {{0}, {-1e-6}}, -20},
                       WaterLevelSide{"bank", {{0, 5}, {0.1, 0.7}}, {{0}, {1e-6}}},
-                      PeriodicSides{"a", "b"}};
+                      PeriodicSides{"a", "b"},
+                      HeadSide{"kept", 0, {}, false, true}};
+  problem.soils.back().anisotropy = {3, 1, 1, 0.5, 0, 0};
+  problem.soils.back().porosity = 0.45;
+  problem.soils.back().specific_storage = 1e-5;
+  problem.adaptivity = Adaptivity{3, 2e-3};
   problem.gauges = {{"one", {1, 2, 3}}};
   problem.output_times = {100, 500};
   problem.degree = 2;
@@ -53,6 +58,36 @@ TEST(ProblemMessage, ArrivesWhole) {
   EXPECT_EQ(got.output_times, sent.output_times);
   EXPECT_EQ(got.degree, 2);
   EXPECT_EQ(got.integrator, Integrator::backward_euler);
+  EXPECT_EQ(got.tolerance, 3e-5);
+  EXPECT_EQ(got.end_time, sent.end_time);
+  EXPECT_EQ(got.unit_weight, sent.unit_weight);
+  EXPECT_EQ(got.gravity_direction, sent.gravity_direction);
+  EXPECT_EQ(got.initial_head, sent.initial_head);
+  EXPECT_EQ(got.conductivity_factor, sent.conductivity_factor);
+  ASSERT_TRUE(got.adaptivity);
+  EXPECT_EQ(got.adaptivity->levels, 3);
+  EXPECT_EQ(got.adaptivity->threshold, 2e-3);
+}
+
+TEST(ProblemMessage, KeepsEveryEntryOfSoilsAndSides) {
+  const RichardsProblem got = unpack(pack(everything()));
+  EXPECT_EQ(std::get<TabulatedConductivity>(got.soils[1].conductivity).relative[0], 0.1);
+  EXPECT_EQ(got.soils[2].name, "clay");
+  EXPECT_EQ(got.soils[2].saturated_conductivity, 1e-6);
+  EXPECT_EQ(got.soils[2].specific_storage, 1e-5);
+  EXPECT_EQ(got.soils[2].porosity, 0.45);
+  EXPECT_EQ(got.soils[2].anisotropy[3], 0.5);
+  EXPECT_TRUE(std::holds_alternative<BroadbridgeWhiteConductivity>(got.soils[2].conductivity));
+  const auto& rain = std::get<RainSide>(got.boundary[0]);
+  EXPECT_EQ(rain.rain.start[1], 1);
+  EXPECT_EQ(rain.rain.intensity[1], 3e-5);
+  EXPECT_EQ(rain.evaporation.intensity[0], 1e-8);
+  EXPECT_EQ(std::get<HeadSide>(got.boundary[1]).head, 0.25);
+  EXPECT_EQ(std::get<FreeDrainageSide>(got.boundary[2]).side, "left");
+  EXPECT_EQ(std::get<FluxSide>(got.boundary[3]).minimum_head, -20);
+  EXPECT_EQ(std::get<WaterLevelSide>(got.boundary[4]).rain.intensity[0], 1e-6);
+  EXPECT_FALSE(std::get<HeadSide>(got.boundary[1]).initial);
+  EXPECT_TRUE(std::get<HeadSide>(got.boundary[6]).initial);
 }
 
 TEST(ProblemMessage, RefusesOneThatWasCut) {
