@@ -34,13 +34,41 @@ struct VanGenuchtenRetention {
   double air_entry;  ///< p0 [Pa]
   double lambda;     ///< -
   double s_min, s_max;
+  /// Saturated down to this suction [Pa], S_e = S_e,vG / S_e,vG(cut_off) beyond, Mualem's integral cut at the same
+  /// place (Vogel, van Genuchten & Cislerova 2001; Ippisch, Vogel & Bastian 2006). 0: none.
+  double cut_off = 0;
 };
 /// Gardner: S = S_min + (S_max - S_min) exp(-s / p_c) for s > 0.
 struct ExponentialRetention {
   double suction_scale;  ///< p_c [Pa]
   double s_min, s_max;
 };
-using RetentionSpec = std::variant<VanGenuchtenRetention, ExponentialRetention>;
+/// Haverkamp et al. 1977, sand; Vauclin et al. 1979: S_e = a / (a + s^beta), s in Pa.
+struct HaverkampRetention {
+  double a;  ///< Pa^beta
+  double beta;
+  double s_min, s_max;
+};
+/// Haverkamp et al. 1977, Yolo clay: S_e = a / (a + ln(s / entry)^beta) for s > entry, else 1.
+struct HaverkampLogRetention {
+  double a;      ///< -
+  double beta;   ///< -
+  double entry;  ///< the unit of length in the logarithm, as suction [Pa]
+  double s_min, s_max;
+};
+/// Broadbridge & White 1988: -s / scale = 1 - 1/S_e - ln[(c - S_e) / ((c - 1) S_e)] / c.
+struct BroadbridgeWhiteRetention {
+  double c;              ///< > 1
+  double suction_scale;  ///< lambda_s rho g [Pa]
+  double s_min, s_max;
+};
+/// Measured points, interpolated monotonely with a continuous slope; constant beyond the driest.
+struct PointsRetention {
+  std::vector<double> suction;     ///< Pa, ascending, the first is 0
+  std::vector<double> saturation;  ///< -, not rising; the first is S_max
+};
+using RetentionSpec = std::variant<VanGenuchtenRetention, ExponentialRetention, HaverkampRetention,
+                                   HaverkampLogRetention, BroadbridgeWhiteRetention, PointsRetention>;
 
 /// Mualem on van Genuchten, corrected (benchmarks: Eq. 7 misprints the exponent):
 /// k_rel = Se^1/2 [1 - (1 - Se^{1/lambda})^lambda]^2.
@@ -53,8 +81,24 @@ struct ExponentialPermeability {
   double suction_scale;  ///< k_rel = exp(-s / scale) [Pa]
 };
 struct ConstantPermeability {};
-using PermeabilitySpec = std::variant<MualemPermeability, PrintedMualemPermeability, MualemOfSaturationPermeability,
-                                      ExponentialPermeability, ConstantPermeability>;
+/// Haverkamp et al. 1977, Vauclin et al. 1979: k_rel = a / (a + s^gamma), s in Pa.
+struct HaverkampPermeability {
+  double a;  ///< Pa^gamma
+  double gamma;
+};
+/// Broadbridge & White 1988: k_rel = (c - 1) S_e^2 / (c - S_e), with their retention curve.
+struct BroadbridgeWhitePermeability {};
+/// ln k_rel interpolated as PointsRetention.
+struct PointsPermeability {
+  std::vector<double> suction;   ///< Pa, ascending, the first is 0
+  std::vector<double> relative;  ///< -, positive, not rising; the first is 1
+};
+using PermeabilitySpec =
+    std::variant<MualemPermeability, PrintedMualemPermeability, MualemOfSaturationPermeability, ExponentialPermeability,
+                 ConstantPermeability, HaverkampPermeability, BroadbridgeWhitePermeability, PointsPermeability>;
+
+/// Bishop's parameter chi of sigma' = sigma + chi p: the degree of saturation, or the effective one.
+enum class Bishop { saturation, effective_saturation };
 
 /// Linear isotropic elasticity of the skeleton (effective stress).
 struct Elastic {
@@ -72,18 +116,60 @@ struct Soil {
   std::optional<PermeabilitySpec> permeability;  ///< absent in a dry scene
   std::optional<Elastic> elastic;                ///< absent: rigid skeleton
   Origin origin;
+  /// Shape of the permeability tensor: k T, T symmetric and positive definite, {xx, yy, zz, xy, yz, zx}.
+  std::array<double, 6> anisotropy{1, 1, 1, 0, 0, 0};
+  /// Volume of water stored per volume of saturated soil and pressure [1/Pa], in place of n S_max / K_l.
+  std::optional<double> storage{};
+  Bishop bishop = Bishop::saturation;
 };
 
+/// Piecewise linear in time, constant before the first and after the last entry; two entries at one time are a jump.
+/// Schemes step exactly onto every time. Empty: not given.
+struct TimeRecord {
+  std::vector<double> time;  ///< s, not falling
+  std::vector<double> value;
+};
+
+/// Names the surface of the body wherever it is, also inside cells (Problem::surface), in place of a side of the mesh:
+/// the faces and cuts that separate soil from empty space, detected anew whenever points have moved.
+inline const std::string free_surface = "free surface";
+
 /// Rain per horizontal area on a side; what the soil does not take runs off. A record without rain is a
-/// potential seepage face.
+/// potential seepage face. Evaporation, per horizontal area too, is met in full while p > least_pressure, in part at
+/// it, not at all below.
 struct RainSide {
   std::string side;
   meshes::RainRecord rain;
   Origin origin;
+  meshes::RainRecord evaporation{};  ///< demand [m/s, >= 0]; empty: none
+  double least_pressure = -1.5e6;    ///< Pa; of evaporation only
 };
 struct PressureSide {
   std::string side;
   double pressure;  ///< Pa
+  Origin origin;
+  TimeRecord record{};   ///< the same in time [Pa], instead of `pressure`
+  bool initial = false;  ///< stays what initial_pressure says, node by node, instead of `pressure`
+};
+/// p = rho |g| (head - elevation): hydrostatic along the side.
+struct TotalHeadSide {
+  std::string side;
+  TimeRecord head;  ///< m
+  Origin origin;
+};
+/// A free water surface in front of the side: hydrostatic below it (water passes both ways), rain or seepage face
+/// above. Rain on what is under water belongs to the water body.
+struct WaterLevelSide {
+  std::string side;
+  TimeRecord level;           ///< elevation of the surface [m]
+  meshes::RainRecord rain{};  ///< per horizontal area
+  Origin origin;
+};
+/// Water offered (> 0) to or demanded (< 0) from a side per area of it, limited as rain and evaporation are.
+struct FluxSide {
+  std::string side;
+  meshes::RainRecord inflow;  ///< m/s, of either sign
+  double least_pressure = -1.5e6;
   Origin origin;
 };
 /// Unit gradient of total head: water leaves at K(p).
@@ -91,7 +177,14 @@ struct FreeDrainageSide {
   std::string side;
   Origin origin;
 };
-using WaterBoundary = std::variant<RainSide, PressureSide, FreeDrainageSide>;  // other sides are impermeable
+/// What leaves through `side` comes in through `partner`, which is `side` moved by one vector, node by node.
+struct PeriodicSides {
+  std::string side, partner;
+  Origin origin;
+};
+/// A side without one is impermeable. Where sides meet a held pressure wins over a water level, and that over rain.
+using WaterBoundary =
+    std::variant<RainSide, PressureSide, FreeDrainageSide, TotalHeadSide, WaterLevelSide, FluxSide, PeriodicSides>;
 
 /// Skeleton fixed on a side: per axis, true = no displacement along that axis.
 struct Fixity {
@@ -106,10 +199,12 @@ struct Probe {
   Origin origin;
 };
 
-/// How the pore liquid moves in a stage.
+/// How the pore liquid moves in a stage: the ladder of schemes, from the cheapest to the most literal.
 enum class LiquidScheme {
   seepage,        ///< no inertia, implicit on the grid: backward Euler or BDF2 with error control
+  semi_implicit,  ///< inertia of the liquid at the points, pressure and drag implicit on the grid
   implicit_drag,  ///< two velocities, momentum balances, drag implicit per node (Lee 2021 with Eq. 4/18 corrected)
+  explicit_drag,  ///< the same with explicit drag, as the paper: steps of microseconds, to verify the others
 };
 enum class TimeIntegrator { bdf2, backward_euler };  ///< of `seepage`
 /// Liquid mass balance of the two-velocity schemes.
@@ -117,7 +212,13 @@ enum class MassBalance {
   conservative,  ///< d(n S rho)/dt = -div(rho n S (v_l - v_s)) - rho n S div v_s
   printed_2021,  ///< Eqs 4/18 of Lee et al. 2021 as printed: loses (v_l - v_s).grad(nS). A research variant
 };
-enum class RainScheme { martinelli_2020 };  ///< of the two-velocity schemes: nodal correction
+/// Where rain enters: `standard` knows where in a cell the surface lies; the others are named variants for research.
+enum class RainScheme {
+  standard,         ///< mpm/README.md section 5, mpm/two_velocity/README.md section 5
+  martinelli_2020,  ///< all of it at the nodes outside, wherever the surface lies between them and the next
+  bandara_2016,     ///< into the boundary points of the surface cells
+  consistent_flux,  ///< integral of N_i over the surface as a source of the nodes
+};
 
 struct Stage {
   std::string name;
@@ -141,10 +242,17 @@ struct Problem {
   std::optional<Water> water;            ///< absent: a dry scene
   std::vector<Soil> soils;               ///< one per mesh region
   std::vector<double> initial_pressure;  ///< Pa at the mesh nodes; empty in a dry scene
+  /// Two dimensions: the line below which there is soil, from left to right [m]; cells above it are empty, cells it
+  /// cuts are partly filled. Empty: every cell is full.
+  std::vector<meshes::Point> surface{};
+  std::vector<double> conductivity_factor{};  ///< per mesh cell, times its soil's permeability [-]; empty: 1
   std::vector<WaterBoundary> water_boundary;
   std::vector<Fixity> fixities;
   std::vector<Probe> probes;
   int points_per_cell = 4;
+  RainScheme rain_scheme = RainScheme::standard;
+  /// CPU seconds that a run may take; a plan that expects more is refused, a run that takes more gives up. 0: any.
+  double cpu_budget = 0;
   std::vector<Stage> stages;         ///< in order, `end_time` ascending
   std::vector<double> output_times;  ///< s, ascending, within [0, end of the last stage]
 };

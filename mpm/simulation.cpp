@@ -1,7 +1,7 @@
 #include "mpm/simulation.h"
 
-#include "mpm/derive_effects.h"
-#include "mpm/water_ledger.h"
+#include "mpm/plan/derive_effects.h"
+#include "mpm/record/water_ledger.h"
 
 #include <algorithm>
 #include <cmath>

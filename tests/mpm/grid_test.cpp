@@ -1,5 +1,5 @@
 // Stencils on skewed cells, places and cells, seeding.
-#include "mpm/seeding.h"
+#include "mpm/grid/seeding.h"
 #include "tests/mpm/strip.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Constitutive laws against published values (benchmarks.md sections 4 and 8) and against their own finite differences.
-#include "mpm/soil_water.h"
-#include "mpm/stress_law.h"
+#include "mpm/laws/soil_water.h"
+#include "mpm/laws/stress_law.h"
 #include "tests/mpm/strip.h"
 
 #include <gtest/gtest.h>

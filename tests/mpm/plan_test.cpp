@@ -1,5 +1,5 @@
 // What a scene calls for is planned, and nothing else: columns, kernels, bytes, refusals.
-#include "mpm/derive_effects.h"
+#include "mpm/plan/derive_effects.h"
 #include "mpm/simulation.h"
 #include "tests/mpm/strip.h"
 

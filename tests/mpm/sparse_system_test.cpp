@@ -1,5 +1,5 @@
 // Both linear solvers on the same kind of system.
-#include "mpm/sparse_system.h"
+#include "mpm/seepage/sparse_system.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
+#include "mpm/laws/stress_law.h"
 #include "mpm/plan.h"
-#include "mpm/stress_law.h"
 #include "tests/mpm/two_velocity_scenes.h"
 
 #include <gmock/gmock.h>

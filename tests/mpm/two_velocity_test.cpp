@@ -1,5 +1,5 @@
 #include "mpm/plan.h"
-#include "mpm/two_velocity_content.h"
+#include "mpm/two_velocity/content.h"
 #include "tests/mpm/two_velocity_scenes.h"
 
 #include <gmock/gmock.h>

@@ -1,0 +1,67 @@
+#include "mpm/grid/cell_values.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace wetfront::mpm {
+
+namespace {
+
+template <int dim>
+struct MeanGradient {
+  Vector<dim> sum{};
+  int cells = 0;
+};
+
+/// Gradients at (node, region): the mean over that region's cells around the node.
+template <int dim>
+using NodalGradients = std::map<std::pair<int, int>, MeanGradient<dim>>;
+
+template <int dim>
+NodalGradients<dim> average_gradients(const Grid<dim>& grid, const double* nodal) {
+  NodalGradients<dim> gradients;
+  Stencil<dim> stencil;
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const int* nodes = grid.cell_nodes_of(cell);
+    grid.stencil(cell, Vector<dim>{}, stencil);
+    Vector<dim> gradient{};
+    for (int i = 0; i < cell_nodes<dim>; ++i)
+      for (int a = 0; a < dim; ++a) gradient[a] += stencil.gradient[i][a] * nodal[nodes[i]];
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      MeanGradient<dim>& mean = gradients[{nodes[i], grid.region(cell)}];
+      for (int a = 0; a < dim; ++a) mean.sum[a] += gradient[a];
+      ++mean.cells;
+    }
+  }
+  return gradients;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal) {
+  const auto gradients = average_gradients(grid, nodal);
+  std::vector<double> values;
+  values.reserve(grid.cell_count());
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    const int* nodes = grid.cell_nodes_of(cell);
+    const Vector<dim> centre = grid.place(cell, Vector<dim>{});
+    double value = 0, low = nodal[nodes[0]], high = low;
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      const auto& mean = gradients.at({nodes[i], grid.region(cell)});
+      double step = 0;
+      for (int a = 0; a < dim; ++a) step += mean.sum[a] / mean.cells * (centre[a] - grid.node(nodes[i])[a]);
+      value += (nodal[nodes[i]] + 0.5 * step) / cell_nodes<dim>;
+      low = std::min(low, nodal[nodes[i]]);
+      high = std::max(high, nodal[nodes[i]]);
+    }
+    values.push_back(std::clamp(value, low, high));
+  }
+  return values;
+}
+
+template std::vector<double> cell_values<2>(const Grid<2>&, const double*);
+template std::vector<double> cell_values<3>(const Grid<3>&, const double*);
+
+}  // namespace wetfront::mpm

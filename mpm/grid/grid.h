@@ -1,0 +1,54 @@
+#pragma once
+
+#include "meshes/mesh.h"
+#include "mpm/grid/stencil.h"
+#include "mpm/plan/column.h"
+
+#include <vector>
+
+namespace wetfront::mpm {
+
+/// The background grid: cells and nodes of a conforming quadrilateral or hexahedral mesh, and the nodal columns.
+template <int dim>
+class Grid {
+ public:
+  explicit Grid(const meshes::Mesh& mesh);
+
+  std::size_t node_count() const { return positions_.size(); }
+  std::size_t cell_count() const { return regions_.size(); }
+  const int* cell_nodes_of(std::size_t cell) const { return &nodes_[cell * cell_nodes<dim>]; }
+  const Vector<dim>& node(int index) const { return positions_[static_cast<std::size_t>(index)]; }
+  int region(std::size_t cell) const { return regions_[cell]; }
+  /// Shortest distance between two nodes of the cell's opposite faces [m]: its smallest altitude.
+  double smallest_altitude(std::size_t cell) const;
+
+  /// Local coordinates of a place, in [-1, 1]^dim when it lies inside. One small matrix product in an affine cell
+  /// (parallelogram), Newton's method in others.
+  Vector<dim> local(std::size_t cell, const Vector<dim>& x) const;
+  Vector<dim> place(std::size_t cell, const Vector<dim>& xi) const;
+  /// Shape functions and gradients at local coordinates; returns det(dx/dxi) [m^dim].
+  double stencil(std::size_t cell, const Vector<dim>& xi, Stencil<dim>& out) const;
+  bool affine(std::size_t cell) const { return affine_[cell] != 0; }
+
+  /// The cell that holds x, searched from a nearby one through neighbours, -1 when x lies outside the grid.
+  int find_cell(const Vector<dim>& x, int start) const;
+
+  ColumnSet columns;
+
+ private:
+  struct AffineMap {
+    Vector<dim> centre{};
+    std::array<Vector<dim>, dim> inverse{};  ///< dxi/dx
+    double determinant = 0;                  ///< of dx/dxi
+  };
+  AffineMap map_at(std::size_t cell, const Vector<dim>& xi) const;
+  void find_neighbours();
+
+  std::vector<Vector<dim>> positions_;
+  std::vector<int> nodes_, regions_;
+  std::vector<AffineMap> maps_;  ///< at the centre of each cell
+  std::vector<char> affine_;
+  std::vector<int> neighbour_start_, neighbours_;  ///< cells that share a node with a cell
+};
+
+}  // namespace wetfront::mpm

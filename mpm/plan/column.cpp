@@ -1,0 +1,64 @@
+#include "mpm/plan/column.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace wetfront::mpm {
+
+void Column::fill(double value) {
+  std::fill(values_.begin(), values_.end(), value);
+}
+
+void ColumnSet::begin_plan() {
+  for (auto& column : columns_) column->provided_by_.clear();
+}
+
+Column& ColumnSet::provide(const ColumnSpec& spec, const std::string& effect) {
+  Column& column = get_or_make(spec.name);
+  if (!column.provided_by_.empty())
+    throw std::logic_error("column '" + spec.name + "' is provided twice (by '" + column.provided_by_ + "' and by '" +
+                           effect + "'; a column has one owner). Let one of them require it");
+  const bool other_shape = column.allocated() && column.spec_.components != spec.components;
+  if (other_shape) std::vector<double>().swap(column.values_);
+  column.spec_ = spec;
+  column.provided_by_ = effect;
+  return column;
+}
+
+Column& ColumnSet::require(const std::string& name) {
+  return get_or_make(name);
+}
+
+void ColumnSet::allocate() {
+  for (auto& column : columns_)
+    if (!column->provided_by_.empty() && column->values_.empty())
+      column->values_.assign(size_ * static_cast<std::size_t>(column->spec_.components), 0.0);
+}
+
+void ColumnSet::free_unprovided() {
+  std::erase_if(columns_, [](const auto& column) { return column->provided_by_.empty(); });
+}
+
+Column* ColumnSet::find(const std::string& name) {
+  for (auto& column : columns_)
+    if (column->spec_.name == name) return column.get();
+  return nullptr;
+}
+
+const Column* ColumnSet::find(const std::string& name) const {
+  return const_cast<ColumnSet*>(this)->find(name);
+}
+
+Column& ColumnSet::at(const std::string& name) {
+  Column* column = find(name);
+  if (column == nullptr || !column->allocated()) throw std::out_of_range("no column '" + name + "' in this plan");
+  return *column;
+}
+
+Column& ColumnSet::get_or_make(const std::string& name) {
+  if (Column* column = find(name)) return *column;
+  columns_.push_back(std::make_unique<Column>(name, size_));
+  return *columns_.back();
+}
+
+}  // namespace wetfront::mpm

@@ -1,0 +1,138 @@
+#include "mpm/plan/derive_effects.h"
+
+#include "mpm/record/probes.h"
+#include "mpm/seepage/seepage.h"
+#include "mpm/seepage/seepage_boundary.h"
+#include "mpm/skeleton/elastic_skeleton.h"
+#include "mpm/skeleton/gravity.h"
+#include "mpm/skeleton/rigid_skeleton.h"
+#include "mpm/two_velocity/rain.h"
+#include "mpm/two_velocity/two_velocity.h"
+
+#include <algorithm>
+
+namespace wetfront::mpm {
+
+namespace {
+
+template <int dim>
+bool has_elastic_soil(const Problem<dim>& problem) {
+  const auto elastic = [](const Soil& soil) { return soil.elastic.has_value(); };
+  const bool any = std::any_of(problem.soils.begin(), problem.soils.end(), elastic);
+  if (any && !std::all_of(problem.soils.begin(), problem.soils.end(), elastic))
+    throw CannotPlan(
+        "some soils are elastic and some are rigid (one skeleton effect acts on all points). Give every "
+        "soil an elastic law, or none");
+  return any;
+}
+
+template <int dim>
+void join_skeleton(StagePlan<dim>& plan) {
+  const Problem<dim>& problem = plan.problem;
+  if (!has_elastic_soil(problem)) {
+    plan.join(std::make_unique<RigidSkeleton<dim>>(problem.soils.front().origin));
+    return;
+  }
+  plan.join(std::make_unique<ElasticSkeleton<dim>>(problem.soils.front().elastic->origin));
+}
+
+/// The origin of the first water boundary of a kind; empty when the problem has none.
+template <class Kind, int dim>
+const Origin* first_origin(const Problem<dim>& problem) {
+  for (const auto& boundary : problem.water_boundary)
+    if (const auto* found = std::get_if<Kind>(&boundary)) return &found->origin;
+  return nullptr;
+}
+
+template <int dim>
+void join_seepage(StagePlan<dim>& plan) {
+  const Problem<dim>& problem = plan.problem;
+  if (has_elastic_soil(problem))
+    throw CannotPlan(plan.stage.origin + ": stage '" + plan.stage.name +
+                     "' moves water by seepage through an elastic skeleton (the coupling of the two is not there yet; "
+                     "it comes with issue 4). Leave the elastic law out, or use the scheme implicit-drag");
+  if (*plan.stage.liquid != LiquidScheme::seepage)
+    throw CannotPlan(plan.stage.origin + ": the scheme semi-implicit is not there yet");
+  for (const auto& boundary : problem.water_boundary)
+    if (boundary.index() > 2)
+      throw CannotPlan(std::visit([](const auto& b) { return b.origin + ": side '" + b.side; }, boundary) +
+                       "': this condition is not there yet");
+  auto water = std::make_shared<NodalWater<dim>>();
+  plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, water));
+  if (const Origin* origin = first_origin<RainSide>(problem))
+    plan.join(std::make_unique<RainOnSeepage<dim>>(*origin, water));
+  if (const Origin* origin = first_origin<FreeDrainageSide>(problem))
+    plan.join(std::make_unique<FreeDrainage<dim>>(*origin, water));
+  if (const Origin* origin = first_origin<PressureSide>(problem))
+    plan.join(std::make_unique<HeldPressure<dim>>(*origin, water));
+}
+
+template <int dim>
+void join_two_velocities(StagePlan<dim>& plan) {
+  if (*plan.stage.liquid == LiquidScheme::explicit_drag)
+    throw CannotPlan(plan.stage.origin + ": the scheme explicit is not there yet");
+  auto water = std::make_shared<TwoVelocityWater<dim>>(plan);
+  plan.join(std::make_unique<TwoVelocityLiquid<dim>>(plan.stage.origin, water));
+  if (const Origin* origin = first_origin<RainSide>(plan.problem))
+    plan.join(std::make_unique<RainOnTwoVelocity<dim>>(*origin, water));
+}
+
+template <int dim>
+void join_liquid(StagePlan<dim>& plan) {
+  if (!plan.stage.liquid) return;
+  const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "'";
+  if (!plan.problem.water)
+    throw CannotPlan(where + " moves pore liquid, but the scene has no water. Add water or leave the stage dry");
+  if (*plan.stage.liquid == LiquidScheme::seepage || *plan.stage.liquid == LiquidScheme::semi_implicit)
+    return join_seepage(plan);
+  join_two_velocities(plan);
+}
+
+}  // namespace
+
+template <int dim>
+void check(const Problem<dim>& problem) {
+  if (problem.mesh.dim != dim)
+    throw CannotPlan("the mesh has dimension " + std::to_string(problem.mesh.dim) + ", the problem " +
+                     std::to_string(dim) + " (a column is a strip one cell wide in the MPM)");
+  if (problem.stages.empty()) throw CannotPlan("the problem has no stage. Add one");
+  double before = 0;
+  const Stage* last = nullptr;
+  for (const Stage& stage : problem.stages) {
+    if (last && last->liquid == LiquidScheme::implicit_drag && stage.liquid == LiquidScheme::seepage)
+      throw CannotPlan(stage.origin + ": stage '" + stage.name + "' uses the scheme seepage after stage '" +
+                       last->name +
+                       "' used implicit-drag (whose water lies in the points; its nodal pressures, from which seepage "
+                       "would start, hold another amount). Put the seepage stages first");
+    last = &stage;
+    if (!(stage.end_time > before))
+      throw CannotPlan(stage.origin + ": stage '" + stage.name + "' ends at " + std::to_string(stage.end_time) +
+                       " s, not after the one before it. Put stages in order of their end times");
+    before = stage.end_time;
+  }
+  for (int region : problem.mesh.region)
+    if (region < 0 || static_cast<std::size_t>(region) >= problem.soils.size())
+      throw CannotPlan("the mesh has more regions than the problem has soils (every region needs one)");
+  if (problem.water && problem.initial_pressure.size() != problem.mesh.node_count())
+    throw CannotPlan("the scene has water, but no initial pressure for each of its " +
+                     std::to_string(problem.mesh.node_count()) + " mesh nodes. Say how the water lies at the start");
+}
+
+template <int dim>
+std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size_t stage, Fields<dim>& fields) {
+  auto plan = std::make_unique<StagePlan<dim>>(problem, stage, fields);
+  if (std::any_of(problem.gravity.begin(), problem.gravity.end(), [](double g) { return g != 0; }))
+    plan->join(std::make_unique<Gravity<dim>>(problem.gravity_origin));
+  join_skeleton(*plan);
+  join_liquid(*plan);
+  if (!problem.probes.empty()) plan->join(std::make_unique<Probes<dim>>(problem.probes.front().origin));
+  plan->check();
+  return plan;
+}
+
+template void check(const Problem<2>&);
+template void check(const Problem<3>&);
+template std::unique_ptr<StagePlan<2>> make_plan(const Problem<2>&, std::size_t, Fields<2>&);
+template std::unique_ptr<StagePlan<3>> make_plan(const Problem<3>&, std::size_t, Fields<3>&);
+
+}  // namespace wetfront::mpm

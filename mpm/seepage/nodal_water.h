@@ -1,0 +1,54 @@
+#pragma once
+
+#include "mpm/plan/stage_plan.h"
+#include "mpm/seepage/sparse_system.h"
+
+#include <memory>
+#include <vector>
+
+namespace wetfront::mpm {
+
+/// The nodal water balance of `seepage`, shared by the effect that solves it and those that add terms to it.
+///
+/// dW_i/dt = R_i for every node i, W_i water stored at the node [m^dim], R_i water flowing to it [m^dim/s].
+/// A term is an iterated kernel that reads `trial` and adds to `stored`/`capacity` or to `inflow` and the matrix.
+template <int dim>
+struct NodalWater {
+  struct Held {
+    int node;
+    double pressure;  ///< Pa
+  };
+  /// A nodal rate and its integral over time. The integral follows the same BDF weights as W, so that the ledger closes
+  /// to the tolerance of Newton's method and not to that of the time integration.
+  struct Cumulative {
+    Column *rate, *total, *before;
+  };
+
+  std::vector<Kernel*> terms;
+  std::vector<Held> held;
+  std::vector<Cumulative> cumulative;
+  std::unique_ptr<SparseSystem> matrix;  ///< of dF/dp; terms add dt-free dR/dp here, `seepage` scales
+
+  Column* trial = nullptr;     ///< p of the iterate [Pa]
+  Column* stored = nullptr;    ///< W(p) [m^dim]
+  Column* capacity = nullptr;  ///< dW/dp [m^dim/Pa]
+  Column* inflow = nullptr;    ///< R(p) [m^dim/s]
+  Column* outflow = nullptr;   ///< part of R that leaves through the boundary, > 0 outwards [m^dim/s]
+
+  /// Adds dR_i/dp_i of a boundary term.
+  void add_slope(int node, double slope) {
+    matrix->values()[static_cast<std::size_t>(matrix->slot(node, node))] += slope;
+  }
+
+  /// Provides `name rate`, `name` and `name before` on the nodes and has them integrated. Returns the rate.
+  Column& cumulate(StagePlan<dim>& plan, const std::string& name, const std::string& symbol) {
+    const std::string unit = dim == 2 ? "m2" : "m3";
+    Column& rate = plan.provide_on_nodes({name + " rate", "d" + symbol + "/dt", unit + "/s", 1, Lifetime::step});
+    Column& total = plan.provide_on_nodes({name, symbol, unit});
+    Column& before = plan.provide_on_nodes({name + " before", symbol + "'", unit});
+    cumulative.push_back({&rate, &total, &before});
+    return rate;
+  }
+};
+
+}  // namespace wetfront::mpm

@@ -1,0 +1,255 @@
+#include "mpm/seepage/seepage_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace wetfront::mpm {
+
+namespace {
+
+// Newton's method ends when every nodal balance closes to this fraction of the node's pore volume: three orders above
+// the round-off of W, and small enough that a run of 1e4 steps still balances to 1e-8 of the rain.
+constexpr double newton_tolerance = 1e-12;
+// Saturated nodes on very fine meshes: dt K / h^2 amplifies the round-off of p above newton_tolerance. An update this
+// small relative to the pressure scale is round-off, provided that the balance closes to stalled_tolerance.
+constexpr double stalled_update = 1e-13, stalled_tolerance = 1e-9;
+constexpr int most_iterations = 25;
+constexpr int most_backtracks = 8;
+// Growth of at most 2 keeps the variable-step BDF2 stable (its limit is 1 + sqrt 2).
+constexpr double most_growth = 2.0, most_shrinkage = 0.2, safety = 0.9;
+// First step after a break: no node's saturation may change by more than this in an explicit step.
+constexpr double first_saturation_change = 1e-4;
+constexpr double smallest_step = 1e-9;  // s
+
+}  // namespace
+
+template <int dim>
+SeepageStep<dim>::SeepageStep(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
+                              double pressure_scale)
+    : plan_(plan), water_(water), c_(columns), pressure_scale_(pressure_scale) {
+  linear_solve_ = &plan.add_iterated(Phase::pressure, "linear solve",
+                                     [this] { solved_ = water_.matrix->solve(balance_, update_); });
+}
+
+template <int dim>
+void SeepageStep<dim>::prepare() {
+  const std::size_t nodes = c_.pressure->size();
+  balance_.assign(nodes, 0.0);
+  update_.assign(nodes, 0.0);
+  start_.assign(nodes, 0.0);
+  pore_volume_.assign(nodes, 0.0);
+  for (int region = 0; region < c_.pore_volume->spec().components; ++region)
+    for (std::size_t i = 0; i < nodes; ++i) pore_volume_[i] += (*c_.pore_volume)[region][i];
+  active_.clear();
+  for (std::size_t i = 0; i < nodes; ++i)
+    if (pore_volume_[i] > 0) active_.push_back(static_cast<int>(i));
+}
+
+template <int dim>
+double SeepageStep<dim>::proposal() const {
+  return (*c_.steps)[step_proposal][0];
+}
+
+template <int dim>
+typename SeepageStep<dim>::Formula SeepageStep<dim>::formula(double dt) const {
+  const double h1 = (*c_.steps)[step_last][0], h2 = (*c_.steps)[step_before][0];
+  const double history = (*c_.steps)[step_history][0];
+  if (history < 1) return {Bdf2Weights{}, StepPredictor::constant()};
+  if (plan_.stage.integrator == TimeIntegrator::backward_euler) return {Bdf2Weights{}, StepPredictor::line(dt, h1)};
+  if (history < 2) return {Bdf2Weights::of(dt / h1), StepPredictor::line(dt, h1)};
+  return {Bdf2Weights::of(dt / h1), StepPredictor::parabola(dt, h1, h2)};
+}
+
+template <int dim>
+void SeepageStep<dim>::predict(const Formula& formula) {
+  const StepPredictor& w = formula.predictor;
+  const double *p = (*c_.pressure)[0], *before = (*c_.pressure_before)[0], *earlier = (*c_.pressure_earlier)[0];
+  double* trial = (*water_.trial)[0];
+  for (std::size_t i = 0; i < start_.size(); ++i)
+    trial[i] = start_[i] = w.last * p[i] + w.before * before[i] + w.earlier * earlier[i];
+  for (const auto& held : water_.held) trial[held.node] = held.pressure;
+}
+
+template <int dim>
+void SeepageStep<dim>::evaluate() {
+  water_.stored->fill(0);
+  water_.capacity->fill(0);
+  water_.inflow->fill(0);
+  water_.outflow->fill(0);
+  for (auto& sum : water_.cumulative) sum.rate->fill(0);
+  std::ranges::fill(water_.matrix->values(), 0.0);
+  for (Kernel* term : water_.terms) term->run();
+}
+
+template <int dim>
+double SeepageStep<dim>::residual(const Bdf2Weights& weights, double dt) {
+  evaluate();
+  const double *now = (*water_.stored)[0], *last = (*c_.stored)[0], *before = (*c_.stored_before)[0];
+  const double* inflow = (*water_.inflow)[0];
+  std::ranges::fill(balance_, 0.0);
+  for (int i : active_) {
+    const auto k = static_cast<std::size_t>(i);
+    balance_[k] = -(weights.now * now[k] + weights.last * last[k] + weights.before * before[k] - dt * inflow[k]);
+  }
+  for (const auto& held : water_.held) balance_[static_cast<std::size_t>(held.node)] = 0;
+  double worst = 0;
+  for (int i : active_) {
+    const double relative = std::abs(balance_[static_cast<std::size_t>(i)]) / pore_volume_[static_cast<std::size_t>(i)];
+    worst = relative <= worst ? worst : relative;  // keeps NaN
+  }
+  return worst;
+}
+
+template <int dim>
+bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
+  residuals_.assign(1, residual(weights, dt));
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    // At least one iteration: a guess within the tolerance would lose the rain of very small steps.
+    if (iteration > 0 && residuals_.back() <= newton_tolerance) return true;
+    for (double& value : water_.matrix->values()) value *= -dt;
+    const double* capacity = (*water_.capacity)[0];
+    for (int i : active_) water_.add_slope(i, weights.now * capacity[i]);
+    for (std::size_t i = 0; i < pore_volume_.size(); ++i)
+      if (!(pore_volume_[i] > 0)) water_.matrix->make_identity_row(static_cast<int>(i));
+    for (const auto& held : water_.held) water_.matrix->make_identity_row(held.node);
+    ++newton_iterations;
+    linear_solve_->run();
+    if (!solved_ || !line_search(weights, dt)) return false;
+    double largest = 0;
+    for (double u : update_) largest = std::max(largest, std::abs(u));
+    if (largest <= stalled_update * pressure_scale_ && residuals_.back() <= stalled_tolerance) return true;
+  }
+  return false;
+}
+
+template <int dim>
+bool SeepageStep<dim>::line_search(const Bdf2Weights& weights, double dt) {
+  double* trial = (*water_.trial)[0];
+  std::copy_n(trial, start_.size(), start_.begin());
+  const double before = residuals_.back();
+  double length = 1;
+  for (int k = 0; k < most_backtracks; ++k, length /= 2) {
+    for (std::size_t i = 0; i < start_.size(); ++i) trial[i] = start_[i] + length * update_[i];
+    residuals_.push_back(residual(weights, dt));
+    if (residuals_.back() <= (1 - 1e-4 * length) * before || residuals_.back() <= stalled_tolerance) return true;
+  }
+  return false;
+}
+
+template <int dim>
+double SeepageStep<dim>::local_error(const StepPredictor& w) const {
+  const double *p = (*c_.pressure)[0], *before = (*c_.pressure_before)[0], *earlier = (*c_.pressure_earlier)[0];
+  const double* trial = (*water_.trial)[0];
+  double square = 0, size = 0, volume = 0;
+  for (int node : active_) {
+    const auto i = static_cast<std::size_t>(node);
+    const double error =
+        w.error_fraction * (trial[i] - (w.last * p[i] + w.before * before[i] + w.earlier * earlier[i]));
+    square += pore_volume_[i] * error * error;
+    size += pore_volume_[i] * trial[i] * trial[i];
+    volume += pore_volume_[i];
+  }
+  return std::sqrt(square / volume) / (std::sqrt(size / volume) + pressure_scale_);
+}
+
+template <int dim>
+double SeepageStep<dim>::first_step() {
+  std::ranges::copy(c_.pressure->values(), water_.trial->values().begin());
+  for (const auto& held : water_.held) (*water_.trial)[0][held.node] = held.pressure;
+  evaluate();
+  double step = plan_.stage.end_time - plan_.begin_time();
+  for (int node : active_) {
+    const auto i = static_cast<std::size_t>(node);
+    step = std::min(step, first_saturation_change * pore_volume_[i] / std::abs((*water_.inflow)[0][i]));
+  }
+  return std::max(step, smallest_step);
+}
+
+template <int dim>
+void SeepageStep<dim>::run() {
+  Clock& clock = plan_.clock;
+  double dt = clock.dt;
+  if (clock.broken) {
+    (*c_.steps)[step_history][0] = 0;
+    dt = std::min(dt, first_step());
+  }
+  const double tolerance = plan_.stage.time_tolerance;
+  while (true) {
+    const Formula f = formula(dt);
+    predict(f);
+    double factor = 0.5;
+    if (newton(f.weights, dt)) {
+      const double error = local_error(f.predictor) / tolerance;
+      factor = std::clamp(safety * std::pow(std::max(error, 1e-12), -1.0 / (f.predictor.order + 1)), most_shrinkage,
+                          most_growth);
+      if (error <= 1) {
+        if (dt < clock.dt) clock.end = clock.time + dt;
+        clock.dt = dt;
+        accept(f, dt);
+        (*c_.steps)[step_proposal][0] = dt * factor;
+        return;
+      }
+      ++rejected_steps;
+    } else {
+      ++failed_solves;
+    }
+    if (dt * factor < smallest_step) give_up(dt);
+    dt *= factor;
+  }
+}
+
+template <int dim>
+void SeepageStep<dim>::accept(const Formula& f, double dt) {
+  const Bdf2Weights& w = f.weights;
+  const auto shift = [](Column& from, Column& to) { std::ranges::copy(from.values(), to.values().begin()); };
+  const double *now = (*water_.stored)[0], *last = (*c_.stored)[0], *before = (*c_.stored_before)[0];
+  // What a held node needs beyond the flow through the soil comes in through the boundary.
+  for (const auto& held : water_.held) {
+    const auto i = static_cast<std::size_t>(held.node);
+    (*water_.outflow)[0][i] += (*water_.inflow)[0][i] - (w.now * now[i] + w.last * last[i] + w.before * before[i]) / dt;
+  }
+  for (auto& sum : water_.cumulative) {
+    const double* rate = (*sum.rate)[0];
+    double *total = (*sum.total)[0], *earlier = (*sum.before)[0];
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      const double next = (dt * rate[i] - w.last * total[i] - w.before * earlier[i]) / w.now;
+      earlier[i] = total[i];
+      total[i] = next;
+    }
+  }
+  shift(*c_.pressure_before, *c_.pressure_earlier);
+  shift(*c_.pressure, *c_.pressure_before);
+  shift(*water_.trial, *c_.pressure);
+  shift(*c_.stored, *c_.stored_before);
+  shift(*water_.stored, *c_.stored);
+  double* memory = (*c_.steps)[0];
+  memory[step_before] = memory[step_last];
+  memory[step_last] = dt;
+  memory[step_history] = std::min(2.0, memory[step_history] + 1);
+}
+
+template <int dim>
+void SeepageStep<dim>::give_up(double dt) const {
+  int worst = active_.front();
+  for (int i : active_)
+    if (std::abs(balance_[static_cast<std::size_t>(i)]) > std::abs(balance_[static_cast<std::size_t>(worst)]))
+      worst = i;
+  const auto& x = plan_.fields.grid.node(worst);
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "no step down to %.2g s converges; worst balance at node %d (x = %.4g, %.4g m); residuals of the last try:", dt,
+      worst, x[0], x[1]);
+  std::string message = text;
+  for (double r : residuals_) {
+    std::snprintf(text, sizeof text, " %.2g", r);
+    message += text;
+  }
+  throw StepFailed(message);
+}
+
+template class SeepageStep<2>;
+template class SeepageStep<3>;
+
+}  // namespace wetfront::mpm

@@ -1,0 +1,88 @@
+#include "mpm/laws/soil_water.h"
+#include "mpm/two_velocity/content.h"
+#include "mpm/two_velocity/two_velocity.h"
+
+#include <algorithm>
+
+/// Steps IV and VI of the two-velocity scheme: mass balance of the liquid, pressure of the cells.
+namespace wetfront::mpm {
+
+/// Steps IV and VI: nodal Darcy flux, cell outflow, water of the points, pressure of the cells.
+template <int dim>
+void TwoVelocityLiquid<dim>::add_mass_balance(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  const Column& volume = plan.require_on_points("volume");
+  // From here to the end of the step the column "liquid velocity" holds v_l - v_s.
+  plan.add(Phase::strain, "Darcy flux", [&w] {
+    for (std::size_t i = 0; i < w.flux->size(); ++i) {
+      const Vector<dim> solid = w.skeleton->velocity(i);
+      for (int a = 0; a < dim; ++a) {
+        (*w.velocity)[a][i] -= solid[a];
+        (*w.flux)[a][i] = (*w.content)[0][i] * (*w.velocity)[a][i];
+      }
+    }
+  });
+  const auto take = [this, &w, &plan, &volume](const Block& block, double outflow) {
+    const double change = -plan.clock.dt * outflow / w.cells.volume[block.cell];
+    for (std::size_t q = block.first; q < block.first + block.count; ++q)
+      (*point_water_)[0][q] += change * volume[0][q];
+  };
+  if (plan.stage.mass_balance == MassBalance::conservative)
+    plan.add_over_blocks(Phase::pressure, "mass balance",
+                         [&w, take](const Block& block) { take(block, w.cells.flow_out(block, *w.flux)); });
+  else
+    plan.add_over_blocks(Phase::pressure, "mass balance as printed in 2021", [&w, take](const Block& block) {
+      const double content = w.cells.water[block.cell] / w.cells.volume[block.cell];
+      take(block, content * w.cells.flow_out(block, *w.velocity));
+    });
+  add_pressure(plan);
+}
+
+/// Step VI: the pressure of a cell is the inverse of its water content. Where points move, the cells are summed anew
+/// first, with the points and pores they have at the end of the step.
+template <int dim>
+void TwoVelocityLiquid<dim>::add_pressure(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  if (moving_ != nullptr) {
+    const std::vector<std::size_t> start = plan.fields.points.count_of_cell();
+    plan.add(Phase::carry, "cell integrals after moving", [this, &plan, start] {
+      // Rain sides and walls are those of the cells occupied at the start.
+      const auto& now = plan.fields.points.count_of_cell();
+      if (!std::equal(now.begin(), now.end(), start.begin(),
+                      [](std::size_t a, std::size_t b) { return (a > 0) == (b > 0); }))
+        throw StepFailed(
+            "points have left a cell empty or entered an empty one (the two-velocity scheme does not follow "
+            "a moving surface yet). End the stage before");
+      sum_cells(plan);
+    });
+  }
+  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
+    const Soil& soil = plan.problem.soils[r];
+    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
+      const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
+      const auto find = [this, &w, law, K = plan.problem.water->bulk_modulus](const Block& block) {
+        double sum = 0;
+        for (std::size_t q = block.first; q < block.first + block.count; ++q) sum += (*point_water_)[0][q];
+        w.cells.water[block.cell] = sum;
+        const double p = law.pressure_of(sum / w.cells.pores[block.cell]);
+        // Water compressed by a tenth or drawn to half its density: no soil is there, the scheme has blown up.
+        if (!(p < 0.1 * K && p > -0.5 * K))
+          throw StepFailed("the two-velocity scheme has blown up: cell " + std::to_string(block.cell) + " holds " +
+                           std::to_string(sum / w.cells.pores[block.cell]) +
+                           " of its pores, which no pressure explains. Use a smaller step_safety");
+        w.cells.pressure[block.cell] = p;
+      };
+      plan.add_over_blocks(w.pressures_in, "pressure of cells [" + soil.name + "]", static_cast<int>(r), find);
+      plan.at_ready([&points = plan.fields.points, r, find] {
+        for (const Block& block : points.blocks(static_cast<int>(r))) find(block);
+      });
+    });
+  }
+}
+
+template void TwoVelocityLiquid<2>::add_mass_balance(StagePlan<2>&);
+template void TwoVelocityLiquid<3>::add_mass_balance(StagePlan<3>&);
+template void TwoVelocityLiquid<2>::add_pressure(StagePlan<2>&);
+template void TwoVelocityLiquid<3>::add_pressure(StagePlan<3>&);
+
+}  // namespace wetfront::mpm

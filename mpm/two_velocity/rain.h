@@ -1,0 +1,55 @@
+#pragma once
+
+#include "mpm/two_velocity/water.h"
+
+#include <utility>
+#include <vector>
+
+namespace wetfront::mpm {
+
+/// The rainfall boundary of the two-velocity schemes (Martinelli 2020; benchmarks 8.3): predict with p = 0 at the
+/// surface, r = [nS (v_l - v_s) - q].n, q.n = -I cos(slope); r < 0: correct the normal velocity so that the relative
+/// flux is exactly q; r >= 0: keep the prediction, the surplus runs off. A record without rain is a potential seepage
+/// face.
+///
+/// The infiltration capacity is predicted with the saturated conductivity (a dry k_rel would send the first rain
+/// away). n is the direction of the nodal integral of N_i n over the rained sides, hence unique at kinks; at the ends
+/// of a side the correction runs along the walls there. nS is the nodal content of Eq. 14 at the start of the step.
+template <int dim>
+class RainOnTwoVelocity : public Effect<dim> {
+ public:
+  RainOnTwoVelocity(Origin origin, std::shared_ptr<TwoVelocityWater<dim>> water)
+      : Effect<dim>("rainfall", std::move(origin),
+                    "Martinelli 2020; Lee 2021 supplement 1; mpm/two_velocity/README.md section 5"),
+        water_(std::move(water)) {}
+  void join(StagePlan<dim>& plan) override;
+
+ private:
+  struct Node {
+    std::size_t index = 0;
+    Vector<dim> normal{};                               ///< unit
+    Vector<dim> along{};                                ///< direction of the correction, along.normal = 1
+    double area = 0;                                    ///< |integral of N_i n| [m^(dim-1)]
+    double mobility = 0;                                ///< k/mu, saturated [m2/(Pa s)]
+    double flux = 0;                                    ///< w.n decided in step II [m/s]
+    std::vector<std::pair<std::size_t, double>> rains;  ///< rain, horizontal area [m^(dim-1)]
+  };
+  void collect(const StagePlan<dim>& plan);
+  void correct(double time, double dt);
+  void restore();
+  void surface_state();
+  void anticipate(double time);
+  void book(double time, double dt);
+  void fill_ledger(double time);
+  double rate(const Node& node, double time) const;
+  /// (v_l - v_s).n
+  static double normal_part(const Node& node, const Velocities<dim>& v);
+
+  std::shared_ptr<TwoVelocityWater<dim>> water_;
+  std::vector<RainSide> rains_;
+  std::vector<Node> nodes_;
+  Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr, *outflow_ = nullptr;
+  Column *ponded_ = nullptr, *ledger_ = nullptr;
+};
+
+}  // namespace wetfront::mpm

@@ -1,0 +1,197 @@
+#include "mpm/laws/soil_water.h"
+#include "mpm/record/water_ledger.h"
+#include "mpm/two_velocity/content.h"
+#include "mpm/two_velocity/two_velocity.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <sstream>
+
+/// How the two-velocity scheme takes over the water, and what it writes into ledger and snapshots.
+namespace wetfront::mpm {
+
+namespace {
+
+double sum(const Column& column) {
+  return std::accumulate(column.values().begin(), column.values().end(), 0.0);
+}
+
+/// Content of a node of `seepage` per pore volume: compressible above p = 0 only (its own storage term).
+template <class Curve>
+double seepage_content(const Curve& curve, double bulk_modulus, double p) {
+  return curve.saturation(-p) * (p > 0 ? 1 + p / bulk_modulus : 1);
+}
+
+}  // namespace
+
+/// Water of the points at the start of the stage.
+///
+/// From the initial state of a problem the cells take the pressure at their centre, so that a hydrostatic start rests.
+/// From `seepage` they take its water, sum_i share_ci n e(p_i), so that the hand-over neither makes nor loses any (the
+/// lumped nodes and the cells hold the same sum, to the tolerance of Newton's method there).
+template <int dim>
+void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
+  const auto& columns = plan.fields.grid.columns;
+  const Column* seepage = columns.find("stored water");
+  const bool after_seepage = seepage != nullptr && seepage->allocated();
+  if (!after_seepage)
+    std::copy(plan.problem.initial_pressure.begin(), plan.problem.initial_pressure.end(), (*water_->pressure)[0]);
+  const auto& points = plan.fields.points;
+  const Column& volume = *points.columns.find("volume");
+  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r)
+    with_soil_water(plan.problem.soils[r], *plan.problem.water, [&](const auto& laws) {
+      const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
+      for (const Block& block : points.blocks(static_cast<int>(r))) {
+        const auto weights = centre_weights(plan, block);
+        double pressure = 0, content = 0;
+        for (int i = 0; i < cell_nodes<dim>; ++i) {
+          const double p = (*water_->pressure)[0][block.nodes[i]];
+          pressure += weights[i] * p;
+          content += weights[i] * seepage_content(laws.curve, plan.problem.water->bulk_modulus, p);
+        }
+        if (!after_seepage) content = law.value(pressure);
+        for (std::size_t q = block.first; q < block.first + block.count; ++q)
+          (*point_water_)[0][q] = laws.porosity * content * volume[0][q];
+      }
+    });
+  if (!after_seepage) {
+    // What is recorded of the start is the state given, not what the cells make of it.
+    plan.at_begin([this, &plan] { std::ranges::copy(plan.problem.initial_pressure, (*water_->pressure)[0]); });
+    return;
+  }
+  const double before = sum(*seepage);
+  plan.at_begin([this, &plan, before] {
+    start_as_darcy(plan);
+    std::ostringstream text;
+    text << "stage '" << plan.stage.name << "' took over the water of seepage: " << before << " m3/m at the nodes, "
+         << sum(*point_water_) - before << " m3/m more in the points";
+    hand_over_ = text.str();
+    hand_over_change_ = sum(*point_water_) - before;
+  });
+}
+
+/// sum_p V_p N_i / sum_p V_p over a cell: linear fields are interpolated exactly at the centre of its points.
+template <int dim>
+std::array<double, cell_nodes<dim>> TwoVelocityLiquid<dim>::centre_weights(const StagePlan<dim>& plan,
+                                                                           const Block& block) const {
+  // The stencils of the points are filled when the stage is ready, later than this.
+  const auto& grid = plan.fields.grid;
+  const Column& volume = *plan.fields.points.columns.find("volume");
+  std::array<double, cell_nodes<dim>> weights{};
+  double total = 0;
+  Stencil<dim> s;
+  for (std::size_t q = block.first; q < block.first + block.count; ++q) {
+    grid.stencil(block.cell, grid.local(block.cell, plan.fields.points.position(q)), s);
+    total += volume[0][q];
+    for (int i = 0; i < cell_nodes<dim>; ++i) weights[i] += volume[0][q] * s.value[i];
+  }
+  for (double& weight : weights) weight /= total;
+  return weights;
+}
+
+/// Liquid velocities of Darcy's law at the pressures taken over: the balance of forces and drag without inertia.
+template <int dim>
+void TwoVelocityLiquid<dim>::start_as_darcy(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  forces_();
+  for (std::size_t i = 0; i < plan.fields.grid.node_count(); ++i) {
+    if (!((*w.volume)[0][i] > 0)) continue;
+    Vector<dim> v{};
+    for (int a = 0; a < dim; ++a)
+      v[a] = (*w.force)[a][i] / (*w.volume)[0][i] * (*w.mobility)[0][i] / (*w.content)[0][i];
+    w.walls.project(i, v);
+    for (int a = 0; a < dim; ++a) {
+      (*w.velocity)[a][i] = v[a];
+      (*w.flux)[a][i] = (*w.content)[0][i] * v[a];
+    }
+  }
+  const Column& shape = *plan.fields.points.columns.find("shape value");
+  for (const Block& block : plan.fields.points.blocks())
+    for (std::size_t q = block.first; q < block.first + block.count; ++q)
+      for (int a = 0; a < dim; ++a) {
+        (*point_velocity_)[a][q] = 0;
+        for (int i = 0; i < cell_nodes<dim>; ++i)
+          (*point_velocity_)[a][q] += shape[i][q] * (*w.velocity)[a][block.nodes[i]];
+      }
+}
+
+/// Stored water twice: from the points, which carry it, and from the pressures of the cells, which drive the flow.
+template <int dim>
+void TwoVelocityLiquid<dim>::add_ledger(StagePlan<dim>& plan) {
+  Column& ledger = plan.provide_on_run(water_ledger_spec());
+  Column& outflow = plan.provide_on_nodes({"outflow", "Q_out", dim == 2 ? "m2" : "m3"});
+  const auto begin = [this, &ledger, &outflow] {
+    ledger[ledger_stored][0] = 0;
+    ledger[ledger_stored_points][0] = sum(*point_water_);
+    ledger[ledger_outflow][0] = sum(outflow);
+  };
+  plan.add(Phase::carry, "water ledger", begin);
+  plan.at_begin(begin);
+  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
+    const Soil& soil = plan.problem.soils[r];
+    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
+      const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
+      const auto add = [this, law, &ledger](const Block& block) {
+        const auto& cells = water_->cells;
+        ledger[ledger_stored][0] += cells.pores[block.cell] * law.value(cells.pressure[block.cell]);
+      };
+      plan.add_over_blocks(Phase::carry, "water of cells [" + soil.name + "]", static_cast<int>(r), add);
+      plan.at_begin([&points = plan.fields.points, r, add] {
+        for (const Block& block : points.blocks(static_cast<int>(r))) add(block);
+      });
+    });
+  }
+  plan.at_record([this](double, meshes::FieldHistory& history) { tell_hand_over(history); });
+  plan.at_finish([this](meshes::FieldHistory& history) { tell_hand_over(history); });
+}
+
+template <int dim>
+void TwoVelocityLiquid<dim>::tell_hand_over(meshes::FieldHistory& history) {
+  if (hand_over_.empty() || history.counters.contains("hand-over: stored water change")) return;
+  history.log.push_back(hand_over_);
+  history.counters["hand-over: stored water change"] = hand_over_change_;
+}
+
+template <int dim>
+void TwoVelocityLiquid<dim>::add_output(StagePlan<dim>& plan) {
+  std::vector<std::function<double(double)>> saturation;
+  for (const Soil& soil : plan.problem.soils) saturation.push_back(saturation_of(soil, *plan.problem.water));
+  plan.at_output([this, &plan, saturation](meshes::Snapshot& out) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const auto& grid = plan.fields.grid;
+    const auto& points = plan.fields.points;
+    const Column& p_node = *water_->pressure;
+    out.node_pressure.assign(p_node[0], p_node[0] + grid.node_count());
+    out.node_saturation.assign(grid.node_count(), nothing);
+    out.cells_hold_averages = true;
+    out.cell_pressure.assign(grid.cell_count(), nothing);
+    out.cell_saturation.assign(grid.cell_count(), nothing);
+    out.points.pressure.assign(points.size(), nothing);
+    out.points.saturation.assign(points.size(), nothing);
+    for (const Block& block : points.blocks()) {
+      const auto& law = saturation[static_cast<std::size_t>(grid.region(block.cell))];
+      const double p = water_->cells.pressure[block.cell], s = law(p);
+      out.cell_pressure[block.cell] = p;
+      out.cell_saturation[block.cell] = s;
+      std::fill_n(out.points.pressure.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, p);
+      std::fill_n(out.points.saturation.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, s);
+      for (int i = 0; i < cell_nodes<dim>; ++i)
+        out.node_saturation[static_cast<std::size_t>(block.nodes[i])] = law(p_node[0][block.nodes[i]]);
+    }
+  });
+}
+
+#define WETFRONT_INSTANTIATE(d)                                                                                      \
+  template void TwoVelocityLiquid<d>::take_over(StagePlan<d>&);                                                      \
+  template std::array<double, cell_nodes<d>> TwoVelocityLiquid<d>::centre_weights(const StagePlan<d>&, const Block&) \
+      const;                                                                                                         \
+  template void TwoVelocityLiquid<d>::start_as_darcy(StagePlan<d>&);                                                 \
+  template void TwoVelocityLiquid<d>::add_ledger(StagePlan<d>&);                                                     \
+  template void TwoVelocityLiquid<d>::tell_hand_over(meshes::FieldHistory&);                                         \
+  template void TwoVelocityLiquid<d>::add_output(StagePlan<d>&);
+WETFRONT_INSTANTIATE(2)
+WETFRONT_INSTANTIATE(3)
+#undef WETFRONT_INSTANTIATE
+
+}  // namespace wetfront::mpm

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "mpm/two_velocity/water.h"
+
+#include <functional>
+#include <string>
+
+namespace wetfront::mpm {
+
+/// The two-velocity pore liquid with implicit drag (`implicit-drag`) in a resting or an elastic skeleton;
+/// README.md derives it.
+///
+/// Points carry the liquid velocity and their water W_p (what is conserved); the pressure of a cell is the inverse of
+/// its water content. One cycle is steps I to IX of Lee et al. 2021 with the mass balance in flux form.
+template <int dim>
+class TwoVelocityLiquid : public Effect<dim> {
+ public:
+  TwoVelocityLiquid(Origin origin, std::shared_ptr<TwoVelocityWater<dim>> water)
+      : Effect<dim>("two-velocity pore liquid", std::move(origin),
+                    "Lee 2021 Eqs 1, 10 (drag sign corrected, drag implicit), 12 to 14; Eqs 4/18 in flux form or as "
+                    "printed; Eqs 5 to 8; mpm/two_velocity/README.md"),
+        water_(std::move(water)) {}
+  void join(StagePlan<dim>& plan) override;
+
+ private:
+  void provide_columns(StagePlan<dim>& plan);
+  void add_gather(StagePlan<dim>& plan);
+  void add_momentum(StagePlan<dim>& plan);
+  void add_pull_on_skeleton(StagePlan<dim>& plan);
+  void add_mass_balance(StagePlan<dim>& plan);
+  void add_pressure(StagePlan<dim>& plan);
+  void add_state(StagePlan<dim>& plan);
+  void add_limits(StagePlan<dim>& plan);
+  void add_wave_limit(StagePlan<dim>& plan);
+  void add_ledger(StagePlan<dim>& plan);
+  void add_output(StagePlan<dim>& plan);
+  void take_over(StagePlan<dim>& plan);
+  std::array<double, cell_nodes<dim>> centre_weights(const StagePlan<dim>& plan, const Block& block) const;
+  void start_as_darcy(StagePlan<dim>& plan);
+  void tell_hand_over(meshes::FieldHistory& history);
+  void sum_cells(StagePlan<dim>& plan);
+  Vector<dim> liquid_weight(const StagePlan<dim>& plan) const;
+
+  std::shared_ptr<TwoVelocityWater<dim>> water_;
+  MovingSkeleton<dim>* moving_ = nullptr;  ///< owned by water_; null where the skeleton rests
+  Column* point_water_ = nullptr;          ///< W_p
+  Column* point_velocity_ = nullptr;       ///< v_l
+  Column* steps_ = nullptr;                ///< the last dt
+  std::function<void()> from_points_, forces_;
+  std::string hand_over_;        ///< a sentence for the log
+  double hand_over_change_ = 0;  ///< m^dim
+};
+
+}  // namespace wetfront::mpm
