@@ -1,8 +1,10 @@
 #pragma once
 
 #include "fem_reference/richards_problem.h"
+#include "mpm/problem.h"
 #include "reports/record.h"
 #include "verification/suites/case.h"
+#include "verification/suites/point_runs.h"
 
 #include <algorithm>
 #include <string>
@@ -31,6 +33,10 @@ class CaseBook {
 
   /// Solves, enters the run into the table of runs and its water balance into the gate (finish()). Throws GaveUp.
   meshes::FieldHistory solve(const std::string& label, const fem_reference::RichardsProblem& problem);
+  /// The same on material points; their balances and overshoot are gated too (point_runs.h). Throws mpm::GaveUp and
+  /// mpm::CannotPlan.
+  meshes::FieldHistory solve(const std::string& label, const mpm::Problem<2>& problem);
+  void enter(const std::string& label, const mpm::Problem<2>& problem, const meshes::FieldHistory& history);
   /// A run that something else made: as solve() does.
   void enter(const std::string& label, const meshes::FieldHistory& history, double tolerance);
   /// CPU seconds spent outside solve(), on so many unknowns.
@@ -58,8 +64,10 @@ class CaseBook {
  private:
   reports::Finding& add(const std::string& quantity, const std::string& description, double error, const Gate& gate);
   void judge_balance();
+  void judge_points();
   reports::Record record_;
   reports::Table runs_;
+  PointRuns point_runs_;
   struct Balance {
     double worst = 0;
     int runs = 0;

@@ -1,5 +1,5 @@
 #include "verification/exact/srivastava_yeh_two_layer.h"
-#include "verification/suites/closed_form_case.h"
+#include "verification/suites/reference/closed_forms.h"
 #include "verification/suites/reference/families.h"
 #include "verification/suites/setups.h"
 
@@ -9,10 +9,8 @@
 #include <memory>
 
 namespace wetfront::verification {
-namespace {
 
-/// Two layers of 1 m, Ks in cm/h; the rain jumps from 0.1 to `rain` cm/h.
-ClosedFormCase two_layers(double lower, double upper, double rain) {
+ClosedFormCase two_layer_case(double lower, double upper, double rain) {
   const exact::SrivastavaYehTwoLayer soil{10.0,
                                           {lower * cm_per_hour, 0.06, 0.40, 1.0},
                                           {upper * cm_per_hour, 0.06, 0.40, 1.0},
@@ -44,10 +42,9 @@ ClosedFormCase two_layers(double lower, double upper, double rain) {
   return test;
 }
 
-}  // namespace
-
 std::vector<Case> two_layer_cases() {
-  return {as_case(two_layers(10, 1, 0.9)), as_case(two_layers(1, 10, 0.9)), as_case(two_layers(0.9, 900, 0.8))};
+  return {as_case(two_layer_case(10, 1, 0.9)), as_case(two_layer_case(1, 10, 0.9)),
+          as_case(two_layer_case(0.9, 900, 0.8))};
 }
 
 }  // namespace wetfront::verification

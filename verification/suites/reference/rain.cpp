@@ -1,7 +1,7 @@
 #include "verification/exact/srivastava_yeh_slope.h"
 #include "verification/present/figure_frame.h"
 #include "verification/suites/case_book.h"
-#include "verification/suites/closed_form_case.h"
+#include "verification/suites/reference/closed_forms.h"
 #include "verification/suites/reference/families.h"
 #include "verification/suites/series.h"
 #include "verification/suites/setups.h"
@@ -69,18 +69,19 @@ void ponding(CaseBook& book) {
   book.draw(ledger_figure(finest));
 }
 
-constexpr double angle = std::numbers::pi / 6;
+}  // namespace
 
-ClosedFormCase sloping_layer() {
+ClosedFormCase sloping_layer_case(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
   const exact::SrivastavaYehSlope layer{10, cm_per_hour, 0.06, 0.40, 1.0, angle, 0.1 * cm_per_hour, 0.9 * cm_per_hour,
                                         0};
   const auto solution = std::make_shared<exact::SrivastavaYehSlopeSolution>(layer);
-  const auto along_normal = [](const meshes::Point& at) {
+  const auto along_normal = [angle](const meshes::Point& at) {
     return std::clamp((at[1] - std::tan(angle) * at[0]) * std::cos(angle), 0.0, 1.0);
   };
   ClosedFormCase test;
-  test.name = "sloping_layer";
-  test.title = "Rain on an infinite slope of 30 degrees, periodic sides";
+  test.name = degrees == 30 ? "sloping_layer" : fmt::format("sloping_layer_{:g}", degrees);
+  test.title = fmt::format("Rain on an infinite slope of {:g} degrees, periodic sides", degrees);
   test.requirement = "A layer on a slope wets along its normal as the transformed closed form says.";
   test.source = "Srivastava & Yeh 1991 with the transform of Iverson 2000, WRR 36:1897.";
   test.effort = Effort::everyday;
@@ -104,13 +105,11 @@ ClosedFormCase sloping_layer() {
   return test;
 }
 
-}  // namespace
-
 std::vector<Case> rain_cases() {
   return {{"ponding_balance", "Water balance of rain that ponds, pauses and ponds again",
            "What rains, runs off, enters and drains adds up at every tolerance.",
            "Soil of Lee et al. 2021, Table 1; rain of 1.5, 0.1 and 2 Ks.", Effort::quick, ponding},
-          as_case(sloping_layer())};
+          as_case(sloping_layer_case(30))};
 }
 
 }  // namespace wetfront::verification

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "mpm/problem.h"
+#include "verification/suites/closed_form_case.h"
+
+#include <string>
+#include <vector>
+
+namespace wetfront::verification {
+
+/// A closed form that judges the reference, judging `seepage` on material points: the same problem, other meshes.
+struct OnPoints {
+  ClosedFormCase exact;
+  std::vector<int> ladder;      ///< cells, each twice the one before; instead of the reference's
+  ClosedFormCase::Judged gate;  ///< 4 points per cell
+  OrderGate order;              ///< between the two finest meshes
+  Effort effort = Effort::quick;
+  std::vector<int> points_per_cell = {1, 9};  ///< tried on the gate's mesh beside 4
+};
+
+/// Nodal errors on the ladder, observed order in the cell size, error over points per cell, profiles, cost.
+Case as_case(const OnPoints& test);
+
+/// Relative L2 over the nodes of the head, one per snapshot, against `exact` (places as in the problem of the
+/// reference: elevation first where that is a line).
+std::vector<double> head_errors(const meshes::FieldHistory& history, const ClosedFormCase& exact, bool line);
+
+}  // namespace wetfront::verification

@@ -1,0 +1,14 @@
+#include "verification/suites/hydraulics/hydraulics_suite.h"
+
+#include "verification/suites/hydraulics/families.h"
+
+namespace wetfront::verification {
+
+std::vector<Case> hydraulics_suite() {
+  std::vector<Case> all;
+  for (const auto family : {column_cases, closed_form_water_cases, time_step_cases})
+    for (Case& test : family()) all.push_back(std::move(test));
+  return all;
+}
+
+}  // namespace wetfront::verification
