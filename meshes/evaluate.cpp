@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace wetfront::meshes {
 namespace {
@@ -135,7 +136,7 @@ Evaluator::Evaluator(const Mesh& mesh) : mesh_(&mesh), order_(mesh.cell_count())
   tolerance_ = 1e-9 * (high - low);
 }
 
-Evaluator::Weights Evaluator::weights(const Point& point) const {
+std::optional<Evaluator::Weights> Evaluator::weights_if_inside(const Point& point) const {
   const double x = point[search_axis];
   auto candidate = std::upper_bound(lower_.begin(), lower_.end(), x + tolerance_);
   while (candidate != lower_.begin()) {
@@ -144,7 +145,7 @@ Evaluator::Weights Evaluator::weights(const Point& point) const {
     const auto cell = mesh_->cell(order_[candidate - lower_.begin()]);
     if (mesh_->dim == 1) {
       const double from = mesh_->nodes[cell[0]][0], to = mesh_->nodes[cell[1]][0], r = (x - from) / (to - from);
-      if (x >= from - tolerance_ && x <= to + tolerance_) return {{cell[0], cell[1]}, {1 - r, r}};
+      if (x >= from - tolerance_ && x <= to + tolerance_) return Weights{{cell[0], cell[1]}, {1 - r, r}};
       continue;
     }
     if (!may_hold(*mesh_, cell, point, tolerance_)) continue;
@@ -153,14 +154,19 @@ Evaluator::Weights Evaluator::weights(const Point& point) const {
       const auto at = local_coordinates_in_space(*mesh_, cell, point);
       if (!std::ranges::all_of(at, [](double local) { return local > -slack && local < 1 + slack; })) continue;
       const auto weight = trilinear(at).weight;
-      return {{cell.begin(), cell.end()}, {weight.begin(), weight.end()}};
+      return Weights{{cell.begin(), cell.end()}, {weight.begin(), weight.end()}};
     }
     const auto [r, s] = local_coordinates(*mesh_, cell, point);
     if (r > -slack && r < 1 + slack && s > -slack && s < 1 + slack) {
       const auto weight = bilinear(r, s);
-      return {{cell.begin(), cell.end()}, {weight.begin(), weight.end()}};
+      return Weights{{cell.begin(), cell.end()}, {weight.begin(), weight.end()}};
     }
   }
+  return std::nullopt;
+}
+
+Evaluator::Weights Evaluator::weights(const Point& point) const {
+  if (auto found = weights_if_inside(point)) return std::move(*found);
   throw std::out_of_range("the point (" + std::to_string(point[0]) + ", " + std::to_string(point[1]) + ", " +
                           std::to_string(point[2]) + ") m lies outside the mesh");
 }

@@ -2,7 +2,7 @@
 
 #include "meshes/mesh.h"
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace wetfront::meshes {
@@ -20,6 +20,8 @@ class Evaluator {
     std::vector<double> weight;
   };
   Weights weights(const Point& point) const;
+  /// The same, nothing where weights() throws.
+  std::optional<Weights> weights_if_inside(const Point& point) const;
 
   int dim() const { return mesh_->dim; }
 

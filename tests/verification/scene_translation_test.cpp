@@ -7,6 +7,8 @@
 #include "verification/translate/initial_pressure.h"
 #include "verification/translate/lay_soils.h"
 #include "verification/translate/mpm_lacks.h"
+#include "verification/translate/mpm_sides.h"
+#include "verification/translate/mpm_soil.h"
 #include "verification/translate/reference_sides.h"
 #include "verification/translate/reference_soil.h"
 #include "verification/translate/scene_mesh.h"
@@ -169,16 +171,58 @@ TEST(Translate, AFormerRunHandsItsFieldOver) {
 }
 
 TEST(Translate, WhatTheMpmLacksIsSaidWhereItStands) {
-  const auto messages = mpm_lacks(case_scene("rising_lake"));
-  EXPECT_THAT(messages, testing::Contains(testing::HasSubstr("'loam' is anisotropic (the material point method of this "
-                                                             "version has no anisotropy). Use 'wetfront reference'")));
-  EXPECT_THAT(messages, testing::Contains(testing::HasSubstr("evaporation")));
-  EXPECT_THAT(messages, testing::Contains(testing::HasSubstr("water level")));
-  EXPECT_THAT(messages, testing::Contains(testing::HasSubstr("has no scheme")));
-  EXPECT_THAT(messages.front(), testing::HasSubstr("scene.toml:"));
-  EXPECT_TRUE(mpm_lacks(case_scene("spin_up")).empty());
   const Scene lake = case_scene("rising_lake");
+  const auto messages = mpm_lacks(lake);
+  EXPECT_THAT(messages, testing::ElementsAre(
+                            testing::AllOf(testing::HasSubstr("scene.toml:"), testing::HasSubstr("has no scheme"))));
   EXPECT_THROW(to_mpm(lake, mpm_mesh(lake), timeline(lake)), SceneError);
+  EXPECT_THAT(mpm_lacks(case_scene("rained_cube")), testing::Contains(testing::HasSubstr("is three-dimensional")));
+  EXPECT_TRUE(mpm_lacks(case_scene("spin_up")).empty());
+}
+
+/// The same sides and soils as the reference is given, in pressures.
+TEST(Translate, TheMpmIsGivenSidesAndSoilsInPressures) {
+  const Scene lake = case_scene("rising_lake");
+  const auto sides = mpm_sides(lake);
+  ASSERT_EQ(sides.size(), 3u);  // top, shore, left
+  const auto& sky = std::get<mpm::RainSide>(sides[0]);
+  EXPECT_EQ(sky.side, "top");
+  EXPECT_NEAR(sky.evaporation.intensity.at(0), 4e-3 / 86400, 1e-15);
+  EXPECT_NEAR(sky.least_pressure, -50 * 9810, 1e-9);
+  const auto& shore = std::get<mpm::WaterLevelSide>(sides[1]);
+  EXPECT_EQ(shore.level.value, (std::vector<double>{3.2, 3.2, 5.2}));
+  EXPECT_EQ(shore.rain.start.size(), 3u);
+  EXPECT_EQ(std::get<mpm::TotalHeadSide>(sides[2]).head.value, (std::vector<double>{3.2, 3.2, 5.2}));
+
+  Scene scene = case_scene("two_layer_column");
+  Soil& soil = scene.soils[0];
+  EXPECT_NEAR(std::get<mpm::ExponentialRetention>(*mpm_soil(scene, soil).retention).suction_scale, 981, 1e-9);
+  soil.retention = Haverkamp{1.611e6, 3.96, 0.01, 0.1, 1};
+  soil.anisotropy = Anisotropy{4, 1, 4, std::acos(-1) / 6, {}};
+  const mpm::Soil out = mpm_soil(scene, soil);
+  const double half = 98.1 * std::pow(1.611e6, 1 / 3.96);  // a is printed for centimetres
+  EXPECT_NEAR(std::get<mpm::HaverkampRetention>(*out.retention).a / std::pow(half, 3.96), 1, 1e-12);
+  const fem::Soil reference = reference_soil(scene, soil, 2);
+  for (const int component : {0, 1, 3})
+    EXPECT_NEAR(out.anisotropy[component], reference.anisotropy[component], 1e-12) << component;
+}
+
+/// 0.3 of the topmost of 40 cells is filled: the grid is higher than the ground, whose line cuts that row.
+TEST(Translate, ASurfaceInsideCellsLiesBelowTheTopOfTheGrid) {
+  Scene scene = case_scene("two_layer_column");
+  scene.geometry.layers.clear();
+  const double height = std::get<Column>(scene.geometry.shape).height;
+  const int cells = std::get<Column>(scene.geometry.shape).cells;
+  EXPECT_TRUE(surface_inside_cells(scene).empty());
+  scene.mpm.surface_in_cell = 0.3;
+  const meshes::Mesh mesh = mpm_mesh(scene);
+  double top = 0;
+  for (const auto& node : mesh.nodes) top = std::max(top, node[1]);
+  EXPECT_NEAR((height - (cells - 1) * top / cells) / (top / cells), 0.3, 1e-9);
+  const auto line = surface_inside_cells(scene);
+  ASSERT_EQ(line.size(), 2u);
+  EXPECT_EQ(line[1][1], height);
+  EXPECT_EQ(std::get<mpm::RainSide>(mpm_sides(scene)[0]).side, mpm::free_surface);
 }
 
 /// Circles of a paraboloid, cut by the edge of the square: each piece is closed or ends on the edge.

@@ -67,7 +67,8 @@ TEST(SeedColumnRelations, ResidualSaturationOnlyRescalesTime) {
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t t = 0; t < a.size(); ++t) {
       EXPECT_NEAR(a[t].time / *wide.timeline.filling_time, b[t].time / *narrow.timeline.filling_time, 1e-9);
-      EXPECT_LE(relative_l2(a[t].pressure, b[t].pressure, cell_measures(wide.problem.mesh)), 1e-3) << rain << " " << t;
+      EXPECT_LE(relative_l2(a[t].pressure, b[t].pressure, std::vector<double>(a[t].pressure.size(), 1)), 1e-3)
+          << rain << " " << t;
     }
   }
 }

@@ -20,8 +20,9 @@ int reference(const std::filesystem::path& scene, const std::filesystem::path& o
 int report(const std::filesystem::path& folder);
 int new_scene(const std::string& name);
 int schema(bool as_page);
-/// The reference against everything that judges it: one page per case, one index. `heavy`: also what takes long;
-/// `only`: cases whose name contains it (empty: all).
-int verify_reference(const std::filesystem::path& out, bool heavy, const std::string& only);
+/// A suite of cases: one page per case, one index. `heavy`: also what takes long; `only`: cases whose name contains it
+/// (empty: all). Throws std::invalid_argument for a suite that is not there.
+int verify(const std::string& suite, const std::filesystem::path& out, bool heavy, const std::string& only);
+std::vector<std::string> suite_names();
 
 }  // namespace wetfront::verification::commands

@@ -5,6 +5,7 @@
 #include "verification/scene/read.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -96,13 +97,10 @@ int main(int argc, char** argv) {
   reference->add_option("--out", arguments.out, "output folder (default out/<scene>_reference)");
   add_store(reference, arguments);
 
-  auto* verify = add("verify", "the suites of closed forms and cases", [&] {
-    if (arguments.suite != "reference")
-      throw std::invalid_argument("there is no suite '" + arguments.suite + "' (there is: reference). Choose that");
-    return commands::verify_reference(arguments.out, arguments.heavy, arguments.only);
-  });
-  verify->add_option("SUITE", arguments.suite, "reference")->required();
-  verify->add_option("--out", arguments.out, "output folder (default out/verify_reference)");
+  auto* verify = add("verify", "the suites of closed forms and cases",
+                     [&] { return commands::verify(arguments.suite, arguments.out, arguments.heavy, arguments.only); });
+  verify->add_option("SUITE", arguments.suite, fmt::format("{}", fmt::join(commands::suite_names(), ", ")))->required();
+  verify->add_option("--out", arguments.out, "output folder (default out/verify_<suite>)");
   verify->add_flag("--heavy", arguments.heavy, "also the cases that take long (minutes in all)");
   verify->add_option("--only", arguments.only, "only cases whose name contains this");
 

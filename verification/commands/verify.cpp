@@ -1,13 +1,45 @@
 #include "verification/commands/commands.h"
 #include "verification/run/run_scene.h"
+#include "verification/suites/hydraulics/hydraulics_suite.h"
 #include "verification/suites/reference_suite.h"
 #include "verification/suites/run_suite.h"
 
-namespace wetfront::verification::commands {
+#include <algorithm>
+#include <stdexcept>
 
-int verify_reference(const std::filesystem::path& out, bool heavy, const std::string& only) {
-  const SuiteOptions options{out.empty() ? std::filesystem::path("out/verify_reference") : out, heavy, only};
-  const bool passed = run_suite(reference_suite(), options, "The reference and what it is held against");
+namespace wetfront::verification::commands {
+namespace {
+
+struct Suite {
+  std::string name, title;
+  std::vector<Case> (*cases)();
+};
+
+const std::vector<Suite>& suites() {
+  static const std::vector<Suite> all = {
+      {"reference", "The reference and what it is held against", [] { return reference_suite(); }},
+      {"hydraulics", "Water in the material points: schemes, sides, surfaces", [] { return hydraulics_suite(); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> suite_names() {
+  std::vector<std::string> names;
+  for (const Suite& suite : suites()) names.push_back(suite.name);
+  return names;
+}
+
+int verify(const std::string& name, const std::filesystem::path& out, bool heavy, const std::string& only) {
+  const auto suite = std::ranges::find(suites(), name, &Suite::name);
+  if (suite == suites().end()) {
+    std::string known;
+    for (const std::string& other : suite_names()) known += (known.empty() ? "" : ", ") + other;
+    throw std::invalid_argument("there is no suite '" + name + "' (there are: " + known + "). Choose one of them");
+  }
+  const SuiteOptions options{out.empty() ? std::filesystem::path("out/verify_" + name) : out, heavy, only};
+  const bool passed = run_suite(suite->cases(), options, suite->title);
   return static_cast<int>(passed ? Exit::pass : Exit::fail);
 }
 

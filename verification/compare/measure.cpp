@@ -1,5 +1,6 @@
 #include "verification/compare/measure.h"
 
+#include "meshes/evaluate.h"
 #include "verification/compare/balance.h"
 #include "verification/compare/events.h"
 #include "verification/compare/profile.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 namespace wetfront::verification {
 namespace {
@@ -117,6 +119,7 @@ class Measuring {
   void events();
   void gauges();
   void balances();
+  std::vector<meshes::Evaluator::Weights> surface_places(const std::string& side) const;
   void overshoot();
 
   /// Snapshots that every solution reached.
@@ -139,7 +142,9 @@ class Measuring {
 };
 
 void Measuring::fields() {
-  const auto weight = cell_measures(candidate_.mesh);
+  const auto weight = cell_weights(candidate_.mesh, reference_.mesh);
+  if (!(scene_.mpm.surface_in_cell < 1) && std::ranges::find(weight, 0.0) != weight.end())
+    throw std::logic_error("the MPM has cells outside the reference's mesh, though its surface follows cells");
   const auto candidate = cell_profiles(candidate_);
   std::map<const meshes::FieldHistory*, std::vector<Profile>> profiles;
   read_reference([&](const meshes::FieldHistory& history) {
@@ -148,6 +153,7 @@ void Measuring::fields() {
   });
   const auto [low, high] = std::ranges::minmax(initial_pressure(scene_, candidate_.mesh));
   const double range = high - low;
+  const Distance linf = [&](const auto& a, const auto& b) { return relative_linf(a, b, weight); };
   const Distance l2 = [&](const auto& a, const auto& b) { return relative_l2(a, b, weight); };
   const Distance of_range = [&](const auto& a, const auto& b) { return root_mean_square(a, b, weight) / range; };
   for (std::size_t t = 0; t < common_times(); ++t) {
@@ -158,9 +164,9 @@ void Measuring::fields() {
     };
     const Read pressure = values(&Profile::pressure), saturation = values(&Profile::saturation);
     add({"pressure_l2", "relative L2 of pore pressure" + at_time(t), index}, pressure, l2);
-    add({"pressure_linf", "largest difference of pore pressure" + at_time(t), index}, pressure, relative_linf);
+    add({"pressure_linf", "largest difference of pore pressure" + at_time(t), index}, pressure, linf);
     add({"saturation_l2", "relative L2 of saturation" + at_time(t), index}, saturation, l2);
-    add({"saturation_linf", "largest difference of saturation" + at_time(t), index}, saturation, relative_linf);
+    add({"saturation_linf", "largest difference of saturation" + at_time(t), index}, saturation, linf);
     if (range > 0)
       add({"pressure_l2_range", "rms difference of pore pressure over the initial range" + at_time(t), index}, pressure,
           of_range);
@@ -171,11 +177,18 @@ void Measuring::fields() {
 void Measuring::front(const Label& label, const Read& saturation) {
   if (!std::holds_alternative<Column>(scene_.geometry.shape)) return;
   const meshes::Mesh& mesh = candidate_.mesh;
+  const auto weight = cell_weights(mesh, reference_.mesh);
+  std::vector<std::size_t> cells;
   std::vector<double> elevation;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c)
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+    if (weight[c] == 0) continue;
+    cells.push_back(c);
     elevation.push_back(mesh.cell_centre(c)[meshes::up_axis(mesh.dim)]);
+  }
   const auto front_of = [&](const std::vector<double>& s) {
-    return std::vector<double>{front_elevation(s, elevation)};
+    std::vector<double> compared;
+    for (const std::size_t c : cells) compared.push_back(s[c]);
+    return std::vector<double>{front_elevation(compared, elevation)};
   };
   const ReferenceValues& family = saturation.reference;
   Read at{front_of(saturation.candidate),
@@ -193,7 +206,7 @@ void Measuring::nodes() {
     pressures[&history] = pressure_at_nodes(history, candidate_.mesh);
     return std::vector<double>{};
   });
-  const std::vector<double> alike(candidate_.mesh.node_count(), 1);
+  const std::vector<double> alike = node_weights(candidate_.mesh, reference_.mesh);
   for (std::size_t t = 0; t < common_times(); ++t) {
     if (candidate_.snapshots[t].cells_hold_averages) continue;  // its unknowns are in the cells
     add({"pressure_l2_nodes", "relative L2 of pore pressure at the nodes" + at_time(t), static_cast<int>(t)},
@@ -276,14 +289,32 @@ void Measuring::balances() {
       fmt::format("the same from particle sums: {:.3g}", worst_points));
 }
 
+/// Places of a rained surface in the candidate's mesh: the nodes of the side, or where the ground lies below them.
+std::vector<meshes::Evaluator::Weights> Measuring::surface_places(const std::string& side) const {
+  const meshes::Mesh& mesh = candidate_.mesh;
+  std::vector<meshes::Evaluator::Weights> places;
+  const meshes::Evaluator evaluate(mesh);
+  for (const int node : mesh.side(side).faces) {
+    if (!(scene_.mpm.surface_in_cell < 1) || side != "top")
+      places.push_back({{node}, {1.0}});
+    else
+      places.push_back(evaluate.weights({mesh.nodes[node][0], surface_at(scene_.geometry, mesh.nodes[node][0]), 0}));
+  }
+  return places;
+}
+
 void Measuring::overshoot() {
   if (scene_.rains.empty()) return;
   double highest = 0;
   for (const Rain& rain : scene_.rains) {
     if (falls_on_water(scene_, rain)) continue;
-    for (const meshes::Snapshot& snapshot : candidate_.snapshots)
-      for (const int node : candidate_.mesh.side(rain.side).faces)
-        highest = std::max(highest, snapshot.node_pressure[node]);
+    for (const meshes::Evaluator::Weights& place : surface_places(rain.side))
+      for (const meshes::Snapshot& snapshot : candidate_.snapshots) {
+        double pressure = 0;
+        for (std::size_t i = 0; i < place.node.size(); ++i)
+          pressure += place.weight[i] * snapshot.node_pressure[place.node[i]];
+        highest = std::max(highest, pressure);
+      }
   }
   add({"overshoot", "largest pressure above zero at the rained surface [Pa]", -1, "", highest, {}, ""});
 }

@@ -6,31 +6,41 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace wetfront::verification {
 namespace {
 
-/// Reads nodal fields of one mesh at places given in the dimension of another.
+/// Reads nodal fields of one mesh at places given in the dimension of another; 0 at places outside.
 class Sampler {
  public:
   Sampler(const meshes::Evaluator& evaluate, const std::vector<meshes::Point>& places, int dim) {
     for (const meshes::Point& place : places)
-      at_.push_back(evaluate.weights(evaluate.dim() == 1 ? meshes::Point{place[meshes::up_axis(dim)]} : place));
+      at_.push_back(
+          evaluate.weights_if_inside(evaluate.dim() == 1 ? meshes::Point{place[meshes::up_axis(dim)]} : place));
   }
 
   std::vector<double> operator()(const std::vector<double>& nodal) const {
     std::vector<double> values;
     for (const auto& weights : at_) {
       double value = 0;
-      for (std::size_t i = 0; i < weights.node.size(); ++i) value += weights.weight[i] * nodal[weights.node[i]];
+      for (std::size_t i = 0; weights && i < weights->node.size(); ++i)
+        value += weights->weight[i] * nodal[weights->node[i]];
       values.push_back(value);
     }
     return values;
   }
 
+  /// 1 per place inside, 0 per place outside.
+  std::vector<double> inside() const {
+    std::vector<double> marks;
+    for (const auto& weights : at_) marks.push_back(weights ? 1 : 0);
+    return marks;
+  }
+
  private:
-  std::vector<meshes::Evaluator::Weights> at_;
+  std::vector<std::optional<meshes::Evaluator::Weights>> at_;
 };
 
 /// Midpoints per direction for the average over a cell: 8 leave 1/64 of what a single one misses of a curved profile.
@@ -70,7 +80,9 @@ class CellReader {
       double sum = 0;
       const auto samples = cell(nodal);
       for (const double sample : samples) sum += sample;
-      values.push_back(sum / samples.size());
+      const auto inside = cell.inside();
+      const double count = std::accumulate(inside.begin(), inside.end(), 0.0);
+      values.push_back(count > 0 ? sum / count : 0);
     }
     return values;
   }
@@ -108,15 +120,22 @@ std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& h
   return pressures;
 }
 
-std::vector<double> cell_measures(const meshes::Mesh& mesh) {
-  std::vector<double> measures;
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c) measures.push_back(mesh.cell_measure(c));
-  return measures;
+std::vector<double> cell_weights(const meshes::Mesh& mesh, const meshes::Mesh& reference) {
+  std::vector<meshes::Point> centres;
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c) centres.push_back(mesh.cell_centre(c));
+  std::vector<double> weights = Sampler(meshes::Evaluator(reference), centres, mesh.dim).inside();
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c) weights[c] *= mesh.cell_measure(c);
+  return weights;
+}
+
+std::vector<double> node_weights(const meshes::Mesh& mesh, const meshes::Mesh& reference) {
+  return Sampler(meshes::Evaluator(reference), mesh.nodes, mesh.dim).inside();
 }
 
 double relative_l2(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight) {
   double difference = 0, size = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
+    if (weight[i] == 0) continue;
     difference += weight[i] * (a[i] - b[i]) * (a[i] - b[i]);
     size += weight[i] * b[i] * b[i];
   }
@@ -126,15 +145,17 @@ double relative_l2(const std::vector<double>& a, const std::vector<double>& b, c
 double root_mean_square(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight) {
   double squares = 0, total = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
+    if (weight[i] == 0) continue;
     squares += weight[i] * (a[i] - b[i]) * (a[i] - b[i]);
     total += weight[i];
   }
   return std::sqrt(squares / total);
 }
 
-double relative_linf(const std::vector<double>& a, const std::vector<double>& b) {
+double relative_linf(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight) {
   double difference = 0, size = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
+    if (weight[i] == 0) continue;
     if (!std::isfinite(a[i])) return std::numeric_limits<double>::infinity();
     difference = std::max(difference, std::abs(a[i] - b[i]));
     size = std::max(size, std::abs(b[i]));

@@ -24,8 +24,11 @@ std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, cons
 /// Pressure of another solution at the nodes of `nodes_of`, one field per snapshot.
 std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of);
 
-/// Cell volumes, the weights of the norms.
-std::vector<double> cell_measures(const meshes::Mesh& mesh);
+/// The weights of the norms: cell volumes; 0 for a cell whose centre lies outside the reference's mesh (the background
+/// grid may reach above the ground), which no norm looks at.
+std::vector<double> cell_weights(const meshes::Mesh& mesh, const meshes::Mesh& reference);
+/// 1 per node inside the reference's mesh, 0 outside.
+std::vector<double> node_weights(const meshes::Mesh& mesh, const meshes::Mesh& reference);
 
 /// ||a - b||_2 / ||b||_2 with weights (benchmarks: the norm used for every column).
 double relative_l2(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight);
@@ -33,8 +36,8 @@ double relative_l2(const std::vector<double>& a, const std::vector<double>& b, c
 /// Root mean square of a - b with weights, in the unit of a.
 double root_mean_square(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight);
 
-/// max |a - b| / max |b|.
-double relative_linf(const std::vector<double>& a, const std::vector<double>& b);
+/// max |a - b| / max |b| over what has a weight.
+double relative_linf(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& weight);
 
 /// Elevation where saturation, going down from the surface, first falls to the mean of its value in the uppermost
 /// cell and the driest cell below; NaN where the surface is (within 0.01) the driest, before the rain or after the

@@ -21,18 +21,21 @@ std::vector<std::string> quantity_names() {
 std::vector<Key> run_keys() {
   return {
     {"stage", "name", Takes::text, "", required, "", "name", "infiltration"},
-    {"stage", "scheme", Takes::choice, "", optional, "", "how the pore water moves: seepage without inertia, implicit-drag with; needed with water, but for the reference alone",
-     "seepage", {}, {"seepage", "implicit-drag"}},
+    {"stage", "scheme", Takes::choice, "", optional, "", "how the pore water moves, cheapest first: seepage without inertia, semi-implicit with that of the water, implicit-drag with two velocities, explicit as Lee 2021; auto takes the cheapest that the scene allows; needed with water, but for the reference alone",
+     "seepage", {}, {"auto", "seepage", "semi-implicit", "implicit-drag", "explicit"}},
     {"stage", "until", Takes::time, "s", required, "", "end of the stage since the start of the run", "110 % of filling"},
-    {"stage", "time_integrator", Takes::choice, "", optional, "bdf2", "of seepage", "bdf2", {}, {"bdf2", "backward-euler"}, "scheme", {"seepage"}},
-    {"stage", "time_tolerance", Takes::quantity, "1", optional, "1e-5", "of the error control of seepage", "1e-5", {"1e-12", "0.1"}, {}, "scheme", {"seepage"}},
+    {"stage", "time_integrator", Takes::choice, "", optional, "bdf2", "of seepage", "bdf2", {}, {"bdf2", "backward-euler"}, "scheme", {"auto", "seepage"}},
+    {"stage", "time_tolerance", Takes::quantity, "1", optional, "1e-5", "of the error control of seepage and semi-implicit", "1e-5", {"1e-12", "0.1"}, {}, "scheme", {"auto", "seepage", "semi-implicit"}},
     {"stage", "largest_step", Takes::quantity, "s", optional, "", "no step longer than this; no limit when absent", "10 s", {"0 s", "1000 d", true}},
     {"stage", "step_safety", Takes::quantity, "1", optional, "0.8", "fraction of the stability limit that conditionally stable schemes use", "0.8", {"0", "1", true}},
     {"stage", "local_damping", Takes::quantity, "1", optional, "0", "of the skeleton's out-of-balance force (Cundall)", "0.05", {"0", "1", false, true}},
     {"stage", "mass_balance", Takes::choice, "", optional, "conservative", "printed-2021 is Lee 2021, Eqs 4 and 18 as printed, which loses rain: a known defect, kept to show what it costs", "conservative",
-     {}, {"conservative", "printed-2021"}, "scheme", {"implicit-drag"}},
+     {}, {"conservative", "printed-2021"}, "scheme", {"implicit-drag", "explicit"}},
 
     {"mpm", "points_per_cell", Takes::count, "", optional, "4", "material points per cell, a square number", "4", {"1", "25"}},
+    {"mpm", "surface_in_cell", Takes::quantity, "1", optional, "1", "filled fraction of the topmost row of cells: below 1 the surface lies inside them, as it does once a body moves", "0.3", {"0.01", "1"}},
+    {"mpm", "rainfall", Takes::choice, "", optional, "standard", "where rain enters when the surface lies inside cells; the named ones of the literature are there for research", "standard", {}, {"standard", "martinelli-2020", "bandara-2016", "consistent-flux"}},
+    {"mpm", "cpu_budget", Takes::quantity, "s", optional, "", "CPU time that the run may take: a plan that expects more is refused, a run that takes more stops and keeps what it has; no limit when absent", "600 s", {"1 ms", "1000 d"}},
 
     {"reference", "cells", Takes::count, "", optional, "", "cells over the height of a column (320 when absent), the thickness of a slope or profile or the height of a box (their own when absent); a mesh file is halved until it has that many",
      "320", {"1", "100000"}},

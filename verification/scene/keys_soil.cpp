@@ -26,6 +26,7 @@ std::vector<Key> soil_keys() {
     {"soil", "conductivity_field", Takes::table, "", optional, "", "conductivity that differs from place to place", R"({ csv = "field.csv", between = "bilinear" })"},
     {"soil", "specific_storage", Takes::quantity, "1/m", optional, "", "storage of the saturated soil; n rho g / K of the water when absent", "1e-4 1/m", {"0 1/m", "1 1/m"}},
     {"soil", "young", Takes::quantity, "Pa", optional, "", "Young's modulus of an elastic skeleton; rigid when absent", "10 MPa", {"1 Pa", "1000 GPa"}},
+    {"soil", "bishop", Takes::choice, "", optional, "saturation", "Bishop's parameter chi of the effective stress sigma + chi p", "saturation", {}, {"saturation", "effective-saturation"}},
     {"soil", "poisson", Takes::quantity, "1", optional, "", "Poisson's ratio; needed with young", "0.3", {"0", "0.5", false, true}},
 
     {"soil.retention", "law", Takes::choice, "", required, "", "van Genuchten 1980 (Lee 2021, Eq. 5); Gardner 1958; Haverkamp 1977, sand, and Yolo clay (log); Vauclin 1979; Broadbridge and White 1988; or points",

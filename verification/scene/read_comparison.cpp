@@ -50,6 +50,13 @@ void read_reference(Reading& reading) {
   }
   if (skeleton == "saturation") settings.skeleton = ReferenceSettings::SkeletonStorage::saturation;
   if (skeleton == "effective-saturation") settings.skeleton = ReferenceSettings::SkeletonStorage::effective_saturation;
+  const std::string other = skeleton == "saturation" ? "effective-saturation" : "saturation";
+  for (const Soil& soil : reading.scene.soils)
+    if (skeleton != "none" && soil.elastic &&
+        (soil.bishop == Bishop::effective_saturation) != (skeleton == "effective-saturation"))
+      section->complain("skeleton_storage",
+                        {"the soil '" + soil.name + "' has bishop = \"" + other + "\"",
+                         "its storage follows from its own effective stress", "Write the same of both."});
   if (section->has("skeleton_storage") && skeleton != "none" && !reading.elastic())
     section->unused("skeleton_storage", "every soil of this scene is rigid",
                     "Remove it, or give the soil young and poisson.");

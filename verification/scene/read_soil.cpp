@@ -64,6 +64,9 @@ void read_field(SectionReader& reader, Soil& soil, const Reading& reading) {
 
 void read_skeleton(SectionReader& reader, Soil& soil) {
   const double young = reader.quantity("young"), poisson = reader.quantity("poisson");
+  if (reader.choice("bishop") == "effective-saturation") soil.bishop = Bishop::effective_saturation;
+  if (reader.has("bishop") && !reader.has("young"))
+    reader.unused("bishop", "a rigid skeleton has no effective stress to speak of", "Remove it, or add young.");
   if (reader.has("young") && !reader.has("poisson"))
     reader.missing("poisson", "young makes the skeleton elastic, which takes both");
   if (!reader.has("young") && reader.has("poisson"))

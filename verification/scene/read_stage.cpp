@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <map>
 
 namespace wetfront::verification {
 namespace {
@@ -17,19 +17,24 @@ void read_scheme(SectionReader& reader, Stage& stage, const Reading& reading) {
     if (!reading.has_reference()) reader.missing("scheme", "with [water] the stage must say how the water moves");
     return;
   }
+  static const std::map<std::string, Scheme> known = {{"seepage", Scheme::seepage},
+                                                      {"semi-implicit", Scheme::semi_implicit},
+                                                      {"implicit-drag", Scheme::implicit_drag},
+                                                      {"explicit", Scheme::explicit_drag}};
   const std::string scheme = reader.choice("scheme");
-  if (scheme == "seepage") stage.scheme = Scheme::seepage;
-  if (scheme == "implicit-drag") stage.scheme = Scheme::implicit_drag;
+  // The cheapest that can do it: a moving skeleton needs two velocities, a resting one only seepage.
+  if (scheme == "auto") stage.scheme = reading.elastic() ? Scheme::implicit_drag : Scheme::seepage;
+  if (const auto found = known.find(scheme); found != known.end()) stage.scheme = found->second;
 }
 
 void read_step_control(SectionReader& reader, Stage& stage, bool elastic) {
-  if (stage.scheme == Scheme::seepage) {
-    stage.backward_euler = reader.choice("time_integrator") == "backward-euler";
+  if (stage.scheme == Scheme::seepage) stage.backward_euler = reader.choice("time_integrator") == "backward-euler";
+  if (stage.scheme == Scheme::seepage || stage.scheme == Scheme::semi_implicit) {
     stage.time_tolerance = reader.quantity("time_tolerance");
     if (!elastic)
-      reader.unused("step_safety", "seepage has no stability limit", "Remove it; time_tolerance rules its steps.");
+      reader.unused("step_safety", "this scheme has no stability limit", "Remove it; time_tolerance rules its steps.");
   }
-  if (stage.scheme == Scheme::implicit_drag)
+  if (stage.scheme == Scheme::implicit_drag || stage.scheme == Scheme::explicit_drag)
     stage.printed_mass_balance = reader.choice("mass_balance") == "printed-2021";
   if (reader.has("largest_step")) stage.largest_step = reader.quantity("largest_step");
   stage.step_safety = reader.quantity("step_safety");
@@ -70,15 +75,7 @@ void read_stages(Reading& reading) {
     }
     reader.finish();
   }
-  if (auto section = section_of(reading.root, "mpm", reading.complaints)) {
-    const int points = section->count("points_per_cell");
-    const int root = static_cast<int>(std::lround(std::sqrt(points)));
-    if (points > 0 && root * root != points)
-      section->complain("points_per_cell", {section->shown("points_per_cell") + " is not a square number",
-                                            "points stand in rows and columns of a cell", "Write 1, 4, 9 or 16."});
-    reading.scene.mpm = {points, section->origin()};
-    section->finish();
-  }
+  read_mpm(reading);
 }
 
 }  // namespace wetfront::verification

@@ -41,6 +41,7 @@ void read_evaporation(Reading& reading);
 void read_boundaries(Reading& reading);
 void read_probes(Reading& reading);
 void read_stages(Reading& reading);      // stage, mpm
+void read_mpm(Reading& reading);         // mpm; part of read_stages
 void read_comparison(Reading& reading);  // reference, comparison, tolerance
 
 void read_layers(Reading& reading);       // layer; part of read_geometry

@@ -35,7 +35,8 @@ struct Probe {
   Origin origin;
 };
 
-enum class Scheme { seepage, implicit_drag };
+/// The ladder of schemes, cheapest first; `auto` in a scene becomes one of them when it is read.
+enum class Scheme { seepage, semi_implicit, implicit_drag, explicit_drag };
 struct Stage {
   std::string name;
   std::optional<Scheme> scheme;  ///< absent in a dry scene
@@ -49,8 +50,14 @@ struct Stage {
   Origin origin;
 };
 
+/// Where rain enters when the surface lies inside cells: the program's own way, or a named one of the literature.
+enum class RainEntry { standard, martinelli_2020, bandara_2016, consistent_flux };
+
 struct MpmSettings {
   int points_per_cell = 4;
+  double surface_in_cell = 1;  ///< filled fraction of the topmost row of cells, in (0, 1]
+  RainEntry rain_entry = RainEntry::standard;
+  double cpu_budget = 0;  ///< s; 0: none
   Origin origin;
 };
 

@@ -86,6 +86,9 @@ struct Anisotropy {
   Origin origin;
 };
 
+/// chi of the effective stress sigma' = sigma + chi p.
+enum class Bishop { saturation, effective_saturation };
+
 struct Soil {
   std::string name;
   double porosity;
@@ -100,6 +103,7 @@ struct Soil {
   std::optional<PlaceTable> conductivity_field{};  ///< factors on the conductivity
   std::optional<double> specific_storage{};        ///< 1/m; absent: n rho g / K_l
   std::optional<Elastic> elastic;                  ///< absent: rigid skeleton
+  Bishop bishop = Bishop::saturation;
   Origin origin;
 };
 

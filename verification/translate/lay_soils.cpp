@@ -75,4 +75,15 @@ std::vector<const Soil*> soils_by_region(const Scene& scene, const meshes::Mesh&
   return soils;
 }
 
+std::vector<double> conductivity_factors(const Scene& scene, const meshes::Mesh& mesh) {
+  const std::vector<const Soil*> soils = soils_by_region(scene, mesh);
+  if (std::ranges::none_of(soils, [](const Soil* soil) { return soil->conductivity_field.has_value(); })) return {};
+  std::vector<double> factors;
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+    const auto& field = soils[mesh.region[c]]->conductivity_field;
+    factors.push_back(field ? field->at(scene_point(mesh.cell_centre(c), mesh.dim)) : 1);
+  }
+  return factors;
+}
+
 }  // namespace wetfront::verification

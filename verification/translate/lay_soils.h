@@ -12,6 +12,9 @@ std::array<double, 3> scene_point(const meshes::Point& point, int dim);
 /// std::runtime_error where a part holds no face of its side.
 void lay_soils(const Scene& scene, meshes::Mesh& mesh);
 
+/// Factor on the permeability of each cell, at its centre; empty where no soil has a field of them.
+std::vector<double> conductivity_factors(const Scene& scene, const meshes::Mesh& mesh);
+
 /// The scene's soil of each mesh region; a scene of one soil fills every region with it. Throws std::runtime_error.
 std::vector<const Soil*> soils_by_region(const Scene& scene, const meshes::Mesh& mesh);
 

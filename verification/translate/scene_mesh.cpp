@@ -62,6 +62,22 @@ int halvings_to(const meshes::Mesh& mesh, int cells) {
   return halvings;
 }
 
+/// The shape with its vertical extent times `factor`: the background grid of a surface inside cells.
+Shape stretched(const Shape& shape, double factor) {
+  Shape out = shape;
+  if (auto* column = std::get_if<Column>(&out)) column->height *= factor;
+  if (auto* slope = std::get_if<Slope>(&out)) slope->thickness *= factor;
+  if (auto* box = std::get_if<Box>(&out)) box->size.back() *= factor;
+  if (auto* profile = std::get_if<GroundProfile>(&out)) {
+    Polyline& surface = profile->surface;
+    for (std::size_t i = 0; i < surface.x.size(); ++i) {
+      const double base = profile->bedrock.at(surface.x[i]);
+      surface.y[i] = base + factor * (surface.y[i] - base);
+    }
+  }
+  return out;
+}
+
 meshes::Mesh with_soils(const Scene& scene, meshes::Mesh mesh) {
   lay_soils(scene, mesh);
   return mesh;
@@ -73,7 +89,18 @@ meshes::Mesh mpm_mesh(const Scene& scene) {
   const Geometry& geometry = scene.geometry;
   if (std::holds_alternative<MeshFile>(geometry.shape))
     return with_soils(scene, user_mesh(scene, std::get<MeshFile>(geometry.shape)));
-  return with_soils(scene, block_mesh(geometry, {own_cells_over(geometry)}));
+  const int cells = own_cells_over(geometry);
+  if (!(scene.mpm.surface_in_cell < 1)) return with_soils(scene, block_mesh(geometry, {cells}));
+  Geometry grid = geometry;
+  grid.shape = stretched(geometry.shape, cells / (cells - 1 + scene.mpm.surface_in_cell));
+  return with_soils(scene, block_mesh(grid, {cells}));
+}
+
+std::vector<meshes::Point> surface_inside_cells(const Scene& scene) {
+  std::vector<meshes::Point> line;
+  if (!(scene.mpm.surface_in_cell < 1)) return line;
+  for (const double x : stations(scene.geometry)) line.push_back({x, surface_at(scene.geometry, x), 0});
+  return line;
 }
 
 bool can_coarsen(const Scene& scene, int cells) {

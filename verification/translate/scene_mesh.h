@@ -5,8 +5,13 @@
 
 namespace wetfront::verification {
 
-/// The background grid of the material point method: quadrilaterals; a column is a strip one cell wide.
+/// The background grid of the material point method: quadrilaterals; a column is a strip one cell wide. Its topmost row
+/// reaches above the ground where the surface lies inside it.
 meshes::Mesh mpm_mesh(const Scene& scene);
+
+/// Where the surface lies inside the topmost row of cells ([mpm] surface_in_cell) the line of the ground, from left to
+/// right [m]; else empty. The background grid then reaches above it.
+std::vector<meshes::Point> surface_inside_cells(const Scene& scene);
 
 /// The mesh of the reference: a line for a column, `cells` over its height; quadrilaterals (hexahedra) for the other
 /// built-in shapes, `cells` from base to surface; the user's own mesh, halved until it has at least `cells` cells. Then

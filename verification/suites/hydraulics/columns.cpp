@@ -58,7 +58,7 @@ reports::Figure profiles(const meshes::FieldHistory& ours, const meshes::FieldHi
 void judge_profiles(CaseBook& book, const Column& column, const std::string& who, const meshes::FieldHistory& ours,
                     const meshes::FieldHistory& reference) {
   const auto measured = cell_profiles(ours), expected = profiles_at_cells(reference, ours);
-  const auto weight = cell_measures(ours.mesh);
+  const auto weight = cell_weights(ours.mesh, reference.mesh);
   for (std::size_t t = 0; t < compared; ++t)
     book.judge("error",
                fmt::format("relative L2 of the pressure, 40 cells, {}, {:g} % of filling", who, 100 * shares[t]),
