@@ -188,6 +188,19 @@ std::vector<double> on_line(const std::vector<double>& strip_nodes) {
   return values;
 }
 
+meshes::FieldHistory on_line(const meshes::FieldHistory& strip, const meshes::Mesh& line) {
+  meshes::FieldHistory out = strip;
+  out.mesh = line;
+  for (auto& snapshot : out.snapshots) {
+    snapshot.node_pressure = on_line(snapshot.node_pressure);
+    snapshot.node_saturation = on_line(snapshot.node_saturation);
+    snapshot.cell_pressure.clear();
+    snapshot.cell_saturation.clear();
+    snapshot.points = {};
+  }
+  return out;
+}
+
 mpm::Problem<2> on_points(const fem::RichardsProblem& in) {
   if (in.mesh.dim > 2) refuse("three dimensions");
   if (in.source) refuse("a source inside the soil");

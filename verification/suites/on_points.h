@@ -15,7 +15,9 @@ mpm::Problem<2> on_points(const fem_reference::RichardsProblem& problem);
 /// ends keep their names; "left" and "right" are new.
 meshes::Mesh strip_of(const meshes::Mesh& line);
 
-/// The left nodes of a strip: the nodal field of the line it was made of.
+/// The left nodes of a strip: the nodal field of the line it was made of; a run on the strip as one on the line (mesh,
+/// nodal fields and the rest, but no cells and points).
 std::vector<double> on_line(const std::vector<double>& strip_nodes);
+meshes::FieldHistory on_line(const meshes::FieldHistory& strip, const meshes::Mesh& line);
 
 }  // namespace wetfront::verification

@@ -1,5 +1,6 @@
 #include "verification/suites/hydraulics/closed_form_on_points.h"
 
+#include "meshes/evaluate.h"
 #include "verification/present/figure_frame.h"
 #include "verification/suites/case_book.h"
 #include "verification/suites/on_points.h"
@@ -9,12 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace wetfront::verification {
 namespace {
-
-// Leaves less than a tenth of the error in space on every mesh of the ladders.
-constexpr double time_tolerance = 1e-8;
 
 struct Run {
   int cells, points;
@@ -27,7 +26,7 @@ Run solve(const OnPoints& test, int cells, int points, CaseBook& book) {
   const auto reference = test.exact.problem(cells);
   mpm::Problem<2> problem = on_points(reference);
   problem.points_per_cell = points;
-  problem.stages[0].time_tolerance = time_tolerance;
+  problem.stages[0].time_tolerance = test.time_tolerance;
   Run run{cells, points, book.solve(fmt::format("{} cells, {} points each", cells, points), problem), {}};
   run.error = head_errors(run.history, test.exact, reference.mesh.dim == 1);
   return run;
@@ -42,9 +41,10 @@ reports::Figure profiles(const OnPoints& test, const Run& run) {
                              {"pressure head", "m"}, {"elevation", "m"});
   const meshes::Mesh& mesh = run.history.mesh;
   const bool on_axis = test.exact.problem(test.ladder.front()).mesh.dim == 1;
+  const std::string yardstick = test.reference_cells > 0 ? "reference, " : "closed form, ";
   int colour = 0;
   for (const auto& snapshot : run.history.snapshots) {
-    auto exact = line("closed form, " + time_text(snapshot.time), colour);
+    auto exact = line(yardstick + time_text(snapshot.time), colour);
     auto ours = points("seepage, " + time_text(snapshot.time), colour++);
     const auto heads = heads_of(snapshot);
     for (std::size_t i = 0; i < mesh.node_count(); ++i) {
@@ -116,6 +116,26 @@ void climb(const OnPoints& test, CaseBook& book) {
   book.draw(error_over_cells(ladder));
 }
 
+/// Heads of the reference's run anywhere, at its output times.
+std::function<double(const meshes::Point&, double)> heads_of_run(meshes::FieldHistory history) {
+  const auto kept = std::make_shared<const meshes::FieldHistory>(std::move(history));
+  const auto evaluate = std::make_shared<const meshes::Evaluator>(kept->mesh);
+  return [kept, evaluate](const meshes::Point& at, double time) {
+    const auto snapshot = std::ranges::min_element(
+        kept->snapshots, {}, [time](const meshes::Snapshot& s) { return std::abs(s.time - time); });
+    return (*evaluate)(snapshot->node_pressure, at) / 9810;
+  };
+}
+
+void run_case(OnPoints test, CaseBook& book) {
+  if (!test.exact.head) {
+    auto problem = test.exact.problem(test.reference_cells);
+    problem.tolerance = test.reference_tolerance;
+    test.exact.head = heads_of_run(book.solve(fmt::format("reference, {} cells", test.reference_cells), problem));
+  }
+  climb(test, book);
+}
+
 }  // namespace
 
 std::vector<double> head_errors(const meshes::FieldHistory& history, const ClosedFormCase& exact, bool line) {
@@ -131,7 +151,7 @@ std::vector<double> head_errors(const meshes::FieldHistory& history, const Close
 
 Case as_case(const OnPoints& test) {
   return {test.exact.name,   test.exact.title, test.exact.requirement,
-          test.exact.source, test.effort,      [test](CaseBook& book) { climb(test, book); }};
+          test.exact.source, test.effort,      [test](CaseBook& book) { run_case(test, book); }};
 }
 
 }  // namespace wetfront::verification

@@ -8,7 +8,8 @@
 
 namespace wetfront::verification {
 
-/// A closed form that judges the reference, judging `seepage` on material points: the same problem, other meshes.
+/// A closed form that judges the reference, judging `seepage` on material points: the same problem, other meshes. Where
+/// there is none (`exact.head` empty) the reference itself is the yardstick, on `reference_cells`.
 struct OnPoints {
   ClosedFormCase exact;
   std::vector<int> ladder;      ///< cells, each twice the one before; instead of the reference's
@@ -16,6 +17,9 @@ struct OnPoints {
   OrderGate order;              ///< between the two finest meshes
   Effort effort = Effort::quick;
   std::vector<int> points_per_cell = {1, 9};  ///< tried on the gate's mesh beside 4
+  double time_tolerance = 1e-8;               ///< leaves less than a tenth of the error in space
+  int reference_cells = 0;
+  double reference_tolerance = 1e-7;
 };
 
 /// Nodal errors on the ladder, observed order in the cell size, error over points per cell, profiles, cost.

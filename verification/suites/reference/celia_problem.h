@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem_reference/richards_problem.h"
+#include "verification/suites/case_book.h"
 
 namespace wetfront::verification {
 
@@ -8,5 +9,9 @@ namespace wetfront::verification {
 /// h.
 fem_reference::RichardsProblem celia_sand(int cells);
 fem_reference::RichardsProblem celia_new_mexico(int cells);
+
+/// Judges heads and front places of a run on a line against the printed tables, and draws the profiles.
+void judge_celia_sand(CaseBook& book, const meshes::FieldHistory& history);
+void judge_celia_new_mexico(CaseBook& book, const meshes::FieldHistory& history);
 
 }  // namespace wetfront::verification
