@@ -69,8 +69,6 @@ void join_seepage(StagePlan<dim>& plan) {
 
 template <int dim>
 void join_two_velocities(StagePlan<dim>& plan) {
-  if (*plan.stage.liquid == LiquidScheme::explicit_drag)
-    throw CannotPlan(plan.stage.origin + ": the scheme explicit is not there yet");
   auto water = std::make_shared<TwoVelocityWater<dim>>(plan);
   plan.join(std::make_unique<TwoVelocityLiquid<dim>>(plan.stage.origin, water));
   if (const Origin* origin = first_origin<RainSide>(plan.problem))
@@ -90,6 +88,14 @@ void join_liquid(StagePlan<dim>& plan) {
 
 }  // namespace
 
+namespace {
+
+bool two_velocities(const Stage& stage) {
+  return stage.liquid == LiquidScheme::implicit_drag || stage.liquid == LiquidScheme::explicit_drag;
+}
+
+}  // namespace
+
 template <int dim>
 void check(const Problem<dim>& problem) {
   if (problem.mesh.dim != dim)
@@ -99,7 +105,7 @@ void check(const Problem<dim>& problem) {
   double before = 0;
   const Stage* last = nullptr;
   for (const Stage& stage : problem.stages) {
-    if (last && last->liquid == LiquidScheme::implicit_drag && stage.liquid == LiquidScheme::seepage)
+    if (last && two_velocities(*last) && stage.liquid && !two_velocities(stage))
       throw CannotPlan(stage.origin + ": stage '" + stage.name + "' uses the scheme seepage after stage '" +
                        last->name +
                        "' used implicit-drag (whose water lies in the points; its nodal pressures, from which seepage "

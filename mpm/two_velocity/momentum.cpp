@@ -27,8 +27,8 @@ void TwoVelocityLiquid<dim>::add_gather(StagePlan<dim>& plan) {
   auto& points = plan.fields.points;
   const Column& shape = plan.require_on_points("shape value");
   const std::size_t nodes = plan.fields.grid.node_count();
-  // (nS)_i from the water of the points; it changes only with step VI.
-  const auto content = [this, &w, &points, &shape, nodes] {
+  // (nS)_i from the water of the points; it changes only with step VI (and with points that move).
+  content_ = [this, &w, &points, &shape, nodes] {
     w.content->fill(0);
     for (const Block& block : points.blocks())
       for (int i = 0; i < cell_nodes<dim>; ++i) {
@@ -63,11 +63,10 @@ void TwoVelocityLiquid<dim>::add_gather(StagePlan<dim>& plan) {
       put<dim>(*w.velocity, i, v);
     }
   };
-  plan.add(Phase::gather, "water of points to nodes", content);
   if (moving_ != nullptr)
     plan.add(Phase::gather, "skeleton velocity", [skeleton = moving_] { skeleton->read_momentum(); });
   plan.add(Phase::gather, "liquid velocity of points to nodes", from_points_);
-  plan.at_ready(content);
+  plan.at_ready(content_);
 }
 
 /// Steps II and III: forces and drag at the nodes, points from accelerations, velocities mapped back (MUSL).
@@ -88,7 +87,8 @@ void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
           (*w.force)[a][block.nodes[i]] += w.cells.pressure[block.cell] * w.cells.gradient[block.cell][i][a];
   };
   plan.add(Phase::accelerate, "liquid forces", forces_);
-  plan.add(Phase::accelerate, "implicit drag", [&w, &plan, nodes] {
+  const bool as_paper = plan.stage.liquid == LiquidScheme::explicit_drag;
+  plan.add(Phase::accelerate, as_paper ? ExplicitDrag::name : ImplicitDrag::name, [&w, &plan, nodes] {
     for (std::size_t i = 0; i < nodes; ++i) {
       if (!((*w.volume)[0][i] > 0)) continue;
       Velocities<dim> v = w.skeleton->driven(w, i, (*w.mobility)[0][i], plan.clock.dt);

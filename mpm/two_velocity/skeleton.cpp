@@ -5,13 +5,18 @@
 
 namespace wetfront::mpm {
 
-template <int dim>
-Velocities<dim> RestingSkeleton<dim>::driven(const TwoVelocityWater<dim>& water, std::size_t i, double mobility,
-                                             double dt) const {
-  const double drag = dt * (*water.content)[0][i] / (mobility * water.density);
+template <int dim, class Drag>
+Velocities<dim> RestingSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& water, std::size_t i, double mobility,
+                                                   double dt) const {
+  NodalDrag node;
+  node.drag = dt * (*water.content)[0][i] / (mobility * water.density);
   const double per_force = dt / (water.density * (*water.volume)[0][i]);
   Velocities<dim> v;
-  for (int a = 0; a < dim; ++a) v.liquid[a] = ((*water.velocity)[a][i] + per_force * (*water.force)[a][i]) / (1 + drag);
+  for (int a = 0; a < dim; ++a) {
+    node.before = (*water.velocity)[a][i];
+    node.pushed = node.before + per_force * (*water.force)[a][i];
+    v.liquid[a] = Drag::liquid(node);
+  }
   return v;
 }
 
@@ -49,25 +54,25 @@ Vector<dim> MovingSkeleton<dim>::velocity(std::size_t i) const {
   return v;
 }
 
-/// Two equations per axis, drag at the end of the step (d = dt r, m = m_l/m_s, F the force on both phases together):
-///   (1 + d) v_l' - d v_s' = v_l + dt F_l/(rho_l V),   v_s' + m v_l' = v_s + m v_l + dt F/m_s.
-template <int dim>
-Velocities<dim> MovingSkeleton<dim>::driven(const TwoVelocityWater<dim>& water, std::size_t i, double mobility,
-                                            double dt) const {
-  const double content = (*water.content)[0][i], volume = (*water.volume)[0][i];
-  const double drag = dt * content / (mobility * water.density);
-  const double ratio = water.density * volume * content / mass_[0][i];
+/// Two equations per axis (d = dt r, m = m_l/m_s, F the force on both phases together), drag as `Drag` says:
+///   v_l' = v_l + dt F_l/(rho_l V) - d (v_l - v_s),   v_s' + m v_l' = v_s + m v_l + dt F/m_s.
+template <int dim, class Drag>
+Velocities<dim> DraggedSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& water, std::size_t i, double mobility,
+                                                   double dt) const {
+  const double content = (*water.content)[0][i], volume = (*water.volume)[0][i], mass = this->mass_[0][i];
+  const double drag = dt * content / (mobility * water.density), ratio = water.density * volume * content / mass;
   Velocities<dim> v;
   for (int a = 0; a < dim; ++a) {
-    const double before = (*water.velocity)[a][i];
-    const double pushed = before + dt * (*water.force)[a][i] / (water.density * volume);
-    if (fixed(a, i)) {
-      v.liquid[a] = pushed / (1 + drag);
-    } else {
-      const double both = velocity_[a][i] + ratio * before + dt * force_[a][i] / mass_[0][i];
-      v.liquid[a] = (pushed + drag * both) / (1 + drag + drag * ratio);
-      v.solid[a] = both - ratio * v.liquid[a];
-    }
+    const bool held = this->fixed(a, i);
+    NodalDrag node;
+    node.before = (*water.velocity)[a][i];
+    node.solid_before = this->velocity_[a][i];
+    node.pushed = node.before + dt * (*water.force)[a][i] / (water.density * volume);
+    node.both = held ? 0 : node.solid_before + ratio * node.before + dt * this->force_[a][i] / mass;
+    node.ratio = held ? 0 : ratio;
+    node.drag = drag;
+    v.liquid[a] = Drag::liquid(node);
+    v.solid[a] = held ? 0 : node.both - ratio * v.liquid[a];
   }
   return v;
 }
@@ -95,8 +100,14 @@ Vector<dim> MovingSkeleton<dim>::get_new(std::size_t i, double dt) const {
   return v;
 }
 
-template class RestingSkeleton<2>;
-template class RestingSkeleton<3>;
+template class RestingSkeleton<2, ImplicitDrag>;
+template class RestingSkeleton<3, ImplicitDrag>;
+template class RestingSkeleton<2, ExplicitDrag>;
+template class RestingSkeleton<3, ExplicitDrag>;
+template class DraggedSkeleton<2, ImplicitDrag>;
+template class DraggedSkeleton<3, ImplicitDrag>;
+template class DraggedSkeleton<2, ExplicitDrag>;
+template class DraggedSkeleton<3, ExplicitDrag>;
 template class MovingSkeleton<2>;
 template class MovingSkeleton<3>;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm/plan/stage_plan.h"
+#include "mpm/two_velocity/drag.h"
 
 #include <memory>
 
@@ -24,8 +25,7 @@ class SkeletonAtNodes {
 
   /// v_s at the nodes: at the start of the step in steps I and II, mapped back from the points from step III on.
   virtual Vector<dim> velocity(std::size_t node) const = 0;
-  /// Both velocities after a step dt with the drag of a mobility k k_rel/mu [m2/(Pa s)] taken at the end of the step
-  /// (implicit, exact for any dt).
+  /// Both velocities after a step dt with the drag of a mobility k k_rel/mu [m2/(Pa s)] (drag.h).
   virtual Velocities<dim> driven(const TwoVelocityWater<dim>& water, std::size_t node, double mobility,
                                  double dt) const = 0;
   /// Changes v_l - v_s by `change` and keeps the momentum of the two phases (a fixed skeleton takes it all).
@@ -37,7 +37,7 @@ class SkeletonAtNodes {
 };
 
 /// v_s = 0.
-template <int dim>
+template <int dim, class Drag>
 class RestingSkeleton : public SkeletonAtNodes<dim> {
  public:
   Vector<dim> velocity(std::size_t) const override { return {}; }
@@ -63,19 +63,26 @@ class MovingSkeleton : public SkeletonAtNodes<dim> {
   void read_velocity();
 
   Vector<dim> velocity(std::size_t node) const override;
-  Velocities<dim> driven(const TwoVelocityWater<dim>& water, std::size_t node, double mobility,
-                         double dt) const override;
   void change_relative(const TwoVelocityWater<dim>& water, std::size_t node, const Vector<dim>& change,
                        Velocities<dim>& v) const override;
   void set_new(std::size_t node, const Vector<dim>& solid, double dt) override;
   Vector<dim> get_new(std::size_t node, double dt) const override;
   Column& force() { return force_; }
 
- private:
+ protected:
   bool fixed(int axis, std::size_t node) const { return fixed_[static_cast<std::size_t>(axis)][node] != 0; }
 
   Column &velocity_, &mass_, &force_, &momentum_, &acceleration_;
   std::array<std::vector<char>, dim> fixed_;
+};
+
+/// A moving skeleton with its drag.
+template <int dim, class Drag>
+class DraggedSkeleton final : public MovingSkeleton<dim> {
+ public:
+  using MovingSkeleton<dim>::MovingSkeleton;
+  Velocities<dim> driven(const TwoVelocityWater<dim>& water, std::size_t node, double mobility,
+                         double dt) const override;
 };
 
 }  // namespace wetfront::mpm

@@ -63,27 +63,28 @@ void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
       for (int a = 0; a < dim; ++a) (*w.offset)[a][i] /= (*w.volume)[0][i];
 }
 
+/// The skeleton as the liquid meets it, compiled for one kind of drag.
+template <int dim>
+template <class Drag>
+void TwoVelocityLiquid<dim>::meet_skeleton(StagePlan<dim>& plan) {
+  if (!plan.problem.soils.front().elastic) {
+    water_->skeleton = std::make_unique<RestingSkeleton<dim, Drag>>();
+    return;
+  }
+  auto skeleton = std::make_unique<DraggedSkeleton<dim, Drag>>(plan);
+  moving_ = skeleton.get();
+  water_->skeleton = std::move(skeleton);
+  water_->pressures_in = water_->conductivities_in = Phase::carry;
+  plan.require_on_points("mass");
+}
+
 template <int dim>
 void TwoVelocityLiquid<dim>::join(StagePlan<dim>& plan) {
-  for (const auto& boundary : plan.problem.water_boundary)
-    std::visit(
-        [&plan](const auto& b) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(b)>, RainSide>)
-            throw CannotPlan(b.origin + ": side '" + b.side +
-                             "' has a prescribed pressure or free drainage, but stage '" + plan.stage.name +
-                             "' uses the scheme implicit-drag (two velocities know rain and impermeable sides only). "
-                             "Use the scheme seepage, or leave that boundary out");
-        },
-        boundary);
-  if (plan.problem.soils.front().elastic) {
-    auto skeleton = std::make_unique<MovingSkeleton<dim>>(plan);
-    moving_ = skeleton.get();
-    water_->skeleton = std::move(skeleton);
-    water_->pressures_in = water_->conductivities_in = Phase::carry;
-    plan.require_on_points("mass");
-  } else {
-    water_->skeleton = std::make_unique<RestingSkeleton<dim>>();
-  }
+  refuse_what_it_cannot_do(plan);
+  if (plan.stage.liquid == LiquidScheme::explicit_drag)
+    meet_skeleton<ExplicitDrag>(plan);
+  else
+    meet_skeleton<ImplicitDrag>(plan);
   const Column* earlier = plan.fields.points.columns.find("water");
   const bool fresh = earlier == nullptr || !earlier->allocated();
   provide_columns(plan);

@@ -7,8 +7,8 @@
 
 namespace wetfront::mpm {
 
-/// The two-velocity pore liquid with implicit drag (`implicit-drag`) in a resting or an elastic skeleton;
-/// README.md derives it.
+/// The two-velocity pore liquid in a resting or an elastic skeleton, with implicit drag (`implicit-drag`) or explicit
+/// (`explicit`, as the paper); README.md derives it.
 ///
 /// Points carry the liquid velocity and their water W_p (what is conserved); the pressure of a cell is the inverse of
 /// its water content. One cycle is steps I to IX of Lee et al. 2021 with the mass balance in flux form.
@@ -17,7 +17,8 @@ class TwoVelocityLiquid : public Effect<dim> {
  public:
   TwoVelocityLiquid(Origin origin, std::shared_ptr<TwoVelocityWater<dim>> water)
       : Effect<dim>("two-velocity pore liquid", std::move(origin),
-                    "Lee 2021 Eqs 1, 10 (drag sign corrected, drag implicit), 12 to 14; Eqs 4/18 in flux form or as "
+                    "Lee 2021 Eqs 1, 10 (drag sign corrected, drag explicit or implicit), 12 to 14; Eqs 4/18 in flux "
+                    "form or as "
                     "printed; Eqs 5 to 8; mpm/two_velocity/README.md"),
         water_(std::move(water)) {}
   void join(StagePlan<dim>& plan) override;
@@ -30,7 +31,13 @@ class TwoVelocityLiquid : public Effect<dim> {
   void add_mass_balance(StagePlan<dim>& plan);
   void add_pressure(StagePlan<dim>& plan);
   void add_state(StagePlan<dim>& plan);
+  void refuse_what_it_cannot_do(const StagePlan<dim>& plan) const;
+  template <class Drag>
+  void meet_skeleton(StagePlan<dim>& plan);
+  void find_stiffness(StagePlan<dim>& plan);
   void add_limits(StagePlan<dim>& plan);
+  template <class Drag>
+  void add_pressure_limit(StagePlan<dim>& plan);
   void add_wave_limit(StagePlan<dim>& plan);
   void add_ledger(StagePlan<dim>& plan);
   void add_output(StagePlan<dim>& plan);
@@ -46,7 +53,7 @@ class TwoVelocityLiquid : public Effect<dim> {
   Column* point_water_ = nullptr;          ///< W_p
   Column* point_velocity_ = nullptr;       ///< v_l
   Column* steps_ = nullptr;                ///< the last dt
-  std::function<void()> from_points_, forces_;
+  std::function<void()> content_, from_points_, forces_;
   std::string hand_over_;        ///< a sentence for the log
   double hand_over_change_ = 0;  ///< m^dim
 };

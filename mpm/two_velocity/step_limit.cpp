@@ -1,0 +1,140 @@
+#include "mpm/laws/soil_water.h"
+#include "mpm/laws/stress_law.h"
+#include "mpm/two_velocity/content.h"
+#include "mpm/two_velocity/pressure_operator.h"
+#include "mpm/two_velocity/two_velocity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// Step limits of the two-velocity schemes (README.md section 6).
+namespace wetfront::mpm {
+
+namespace {
+
+/// A step may grow by this factor over the last one, so that the look-ahead of the limit (below) cannot be outrun.
+constexpr double growth = 1.5;
+/// Steps that the limit looks ahead at the present rate of filling.
+constexpr double steps_ahead = 4;
+
+}  // namespace
+
+/// Geometric stiffness of the cells, and how much drag mapping leaves: from the matrices of the cells where points
+/// rest; 4/h^2 (h the smallest altitude, no credit for mapping) where they move.
+template <int dim>
+void TwoVelocityLiquid<dim>::find_stiffness(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  for (double size : w.cells.size) w.stiffness.push_back(4 / (size * size));
+  if (moving_ != nullptr) return;
+  plan.at_ready([&plan, &w] {
+    PressureOperator<dim> geometry(plan, w);
+    w.stiffness = geometry.bound(PressureOperator<dim>::Drag::none);
+    const auto dragged = geometry.bound(PressureOperator<dim>::Drag::ruling);
+    // The two bounds differ by one factor for all cells.
+    for (std::size_t c = 0; c < dragged.size(); ++c)
+      if (dragged[c] > 0) w.mapping = w.stiffness[c] / dragged[c];
+  });
+}
+
+template <int dim>
+template <class Drag>
+void TwoVelocityLiquid<dim>::add_pressure_limit(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
+    const Soil& soil = plan.problem.soils[r];
+    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
+      const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
+      const auto of_cell = [this, &w, law](const Block& block) {
+        const std::size_t c = block.cell;
+        const TwoVelocityCells<dim>& cells = w.cells;
+        double least = std::numeric_limits<double>::infinity(), most = 0, wet = 0, rain = 0;
+        for (int i = 0; i < cell_nodes<dim>; ++i) {
+          const auto node = static_cast<std::size_t>(block.nodes[i]);
+          const double content = (*w.content)[0][node];
+          if (!w.walls.closed(node)) {
+            const double drag = content / ((*w.mobility)[0][node] * w.density);
+            least = std::min(least, drag);
+            most = std::max(most, drag);
+            wet = std::max(wet, content);
+          }
+          rain += (*w.rain_rate)[0][node] * cells.share[c][i] / (*w.volume)[0][node];
+        }
+        const double pores = cells.pores[c] / cells.volume[c];
+        const auto stable = [&](double slope) {
+          return Drag::stable_step(least, most, w.mapping, w.stiffness[c] * wet / (pores * slope) / w.density);
+        };
+        const double now = stable(law.slope(cells.pressure[c]));
+        // A cell near saturation stiffens 1e4-fold within a step: the limit is that of the stiffest state it can reach.
+        const double last = (*steps_)[0][0];
+        const double rate = std::max(std::abs(cells.flow_out(block, *w.flux)), rain) / cells.pores[c];
+        const double ahead = cells.water[c] / cells.pores[c] + steps_ahead * rate * (last > 0 ? growth * last : now);
+        const double p_ahead = ahead >= law.saturated() ? 0.0 : law.pressure_of(ahead);
+        return std::min(now, stable(law.slope(p_ahead)));
+      };
+      plan.add_stability_limit("drag and pressure wave [" + soil.name + "]",
+                               std::string(Drag::limit) +
+                                   ", r = nS mu/(k k_rel rho_l), w^2 = K nS/(C rho_l), C = nS/K_l + n dS/dp, K <= "
+                                   "4/h^2 of the cell matrices",
+                               [&points = plan.fields.points, r, of_cell] {
+                                 double least = std::numeric_limits<double>::infinity();
+                                 for (const Block& block : points.blocks(static_cast<int>(r)))
+                                   least = std::min(least, of_cell(block));
+                                 return least;
+                               });
+    });
+  }
+}
+
+template <int dim>
+void TwoVelocityLiquid<dim>::add_limits(StagePlan<dim>& plan) {
+  find_stiffness(plan);
+  if (plan.stage.liquid == LiquidScheme::explicit_drag)
+    add_pressure_limit<ExplicitDrag>(plan);
+  else
+    add_pressure_limit<ImplicitDrag>(plan);
+  if (moving_ != nullptr) add_wave_limit(plan);
+  plan.add_accuracy_limit("growth", "1.5 x the step before", [this] {
+    const double last = (*steps_)[0][0];
+    return last > 0 ? growth * last : std::numeric_limits<double>::infinity();
+  });
+  plan.add(Phase::carry, "step length", [this, &plan] { (*steps_)[0][0] = plan.clock.dt; });
+}
+
+/// The undrained wave: skeleton and liquid moving together, stiffened by the liquid; C as above, saturated near p = 0.
+template <int dim>
+void TwoVelocityLiquid<dim>::add_wave_limit(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  const double bulk_modulus = plan.problem.water->bulk_modulus;
+  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
+    const Soil& soil = plan.problem.soils[r];
+    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
+      const WaterContent law(laws.curve, bulk_modulus);
+      const double modulus = LinearElastic(*soil.elastic).constrained_modulus();
+      const auto of_cell = [&w, laws, law, modulus, solid = soil.grain_density, bulk_modulus](const Block& block) {
+        const std::size_t c = block.cell;
+        const double p = w.cells.pressure[c], pores = w.cells.pores[c] / w.cells.volume[c];
+        const double saturation = laws.saturation(p);
+        // Within a thousandth of the curve's scale of p = 0 a strain of 1e-6 saturates the cell.
+        const double slope = p > -1e-3 * laws.curve.pressure_scale() ? law.saturated() / bulk_modulus : law.slope(p);
+        const double density = (1 - pores) * solid + w.density * w.cells.water[c] / w.cells.volume[c];
+        return w.cells.size[c] / std::sqrt(dim * (modulus + saturation * saturation / (pores * slope)) / density);
+      };
+      plan.add_stability_limit("undrained wave [" + soil.name + "]",
+                               "h/(sqrt(dim) c), c^2 = (E_oed + S^2/C)/((1-n) rho_s + nS rho_l)",
+                               [&points = plan.fields.points, r, of_cell] {
+                                 double least = std::numeric_limits<double>::infinity();
+                                 for (const Block& block : points.blocks(static_cast<int>(r)))
+                                   least = std::min(least, of_cell(block));
+                                 return least;
+                               });
+    });
+  }
+}
+
+template void TwoVelocityLiquid<2>::add_limits(StagePlan<2>&);
+template void TwoVelocityLiquid<3>::add_limits(StagePlan<3>&);
+template void TwoVelocityLiquid<2>::add_wave_limit(StagePlan<2>&);
+template void TwoVelocityLiquid<3>::add_wave_limit(StagePlan<3>&);
+
+}  // namespace wetfront::mpm
