@@ -36,7 +36,7 @@ double ColumnWindow::cell_error(const meshes::FieldHistory& history) const {
   meshes::FieldHistory end = yardstick_;
   end.snapshots = {yardstick_.snapshots.back()};
   return relative_l2(cell_profiles(history).back().pressure, profiles_at_cells(end, history).back().pressure,
-                     cell_measures(history.mesh));
+                     cell_weights(history.mesh, end.mesh));
 }
 
 double ColumnWindow::node_error(const meshes::FieldHistory& history) const {
