@@ -1,6 +1,8 @@
 #include "mpm/simulation.h"
 
 #include "mpm/plan/derive_effects.h"
+#include "mpm/plan/estimate.h"
+#include "mpm/record/run_guard.h"
 #include "mpm/record/water_ledger.h"
 
 #include <algorithm>
@@ -21,16 +23,15 @@ struct Simulation<dim>::Implementation {
   Problem<dim> problem;
   Fields<dim> fields;
   std::unique_ptr<StagePlan<dim>> plan;
+  std::unique_ptr<RunGuard<dim>> guard;
   meshes::FieldHistory history;
   double time = 0, recorded_until = 0;
   std::size_t stage = 0;
   double cpu_start = thread_cpu_seconds();
 
-  explicit Implementation(const Problem<dim>& p) : problem((check(p), p)), fields(problem) {
+  explicit Implementation(const Problem<dim>& p) : problem((check(p), check_cost(p), p)), fields(problem) {
     history.mesh = problem.mesh;
-    plan = make_plan(problem, 0, fields);
-    plan->enter();
-    begin_stage();
+    enter_stage();
     record();
     write_snapshot();
   }
@@ -40,6 +41,7 @@ struct Simulation<dim>::Implementation {
     restore_point_counts(state);
     plan = make_plan(problem, stage, fields);
     plan->resume(state.fields);
+    watch();
     const auto recorded = state.fields.find("recorded until");
     recorded_until = recorded != state.fields.end() ? recorded->second.at(0) : time;
   }
@@ -56,13 +58,26 @@ struct Simulation<dim>::Implementation {
 
   bool finished() const { return stage + 1 == problem.stages.size() && time >= problem.stages[stage].end_time; }
 
-  void begin_stage() {
+  void enter_stage() {
+    plan = make_plan(problem, stage, fields);
+    plan->enter();
+    watch();
     const std::string scheme = plan->scheme();
     history.solver += (history.solver.empty() ? "mpm: " : ", then ") + scheme;
     history.log.push_back("stage '" + plan->stage.name + "' begins: " + scheme);
     if (plan->conditionally_stable())
       history.ledger.reserve(history.ledger.size() + static_cast<std::size_t>(rows_per_stage) +
                              problem.output_times.size() + plan->breaks().size() + 16);
+  }
+
+  void watch() {
+    const typename RunGuard<dim>::Spent cpu{history.cpu_seconds, cpu_start};
+    guard = std::make_unique<RunGuard<dim>>(*plan, cpu, estimate(*plan).steps);
+  }
+
+  long steps_taken() const {
+    const auto steps = history.counters.find("steps");
+    return steps == history.counters.end() ? 0 : static_cast<long>(steps->second);
   }
 
   double next_event() const {
@@ -90,9 +105,12 @@ struct Simulation<dim>::Implementation {
 
   void step() {
     if (finished()) return;
+    const long steps = steps_taken();
     try {
+      guard->before_step(steps);
       set_clock();
       plan->run_step();
+      guard->after_step(steps);
     } catch (const StepFailed& failure) {
       const std::string message =
           "t = " + std::to_string(time) + " s, stage '" + plan->stage.name + "': " + failure.what();
@@ -111,10 +129,9 @@ struct Simulation<dim>::Implementation {
 
   void change_stage() {
     plan->finish(history);
+    guard->tell(history);
     ++stage;
-    plan = make_plan(problem, stage, fields);
-    plan->enter();
-    begin_stage();
+    enter_stage();
   }
 
   void record() {
@@ -144,6 +161,7 @@ struct Simulation<dim>::Implementation {
   meshes::FieldHistory finished_history() const {
     meshes::FieldHistory result = history;
     plan->finish(result);
+    guard->tell(result);
     result.cpu_seconds += thread_cpu_seconds() - cpu_start;
     return result;
   }

@@ -1,8 +1,7 @@
 #include "mpm/plan.h"
 #include "mpm/plan/derive_effects.h"
+#include "mpm/plan/estimate.h"
 #include "mpm/plan/stage_plan.h"
-
-#include <limits>
 
 namespace wetfront::mpm {
 
@@ -27,22 +26,20 @@ PlanInfo StagePlan<dim>::info() const {
       for (const auto& kernel : *list)
         if (kernel->phase() == static_cast<Phase>(p))
           info.kernels.push_back({phase_name(kernel->phase()), kernel->name(), kernel->effect()});
-  double stable = std::numeric_limits<double>::infinity();
-  for (const Limit& limit : limits_) {
-    info.step_limits.push_back({limit.name, limit.formula, limit.seconds()});
-    if (limit.stability) stable = std::min(stable, limit.seconds() * stage.step_safety);
-  }
+  for (const Limit& limit : limits_) info.step_limits.push_back({limit.name, limit.formula, limit.seconds()});
   info.points = fields.points.size();
   info.nodes = fields.grid.node_count();
   info.cells = fields.grid.cell_count();
-  info.estimated_steps = std::max(expected_steps_, (stage.end_time - begin_time()) / stable);
-  info.estimated_cpu_seconds = info.estimated_steps * expected_cost_;
+  const StageEstimate cost = estimate(*this);
+  info.estimated_steps = cost.steps;
+  info.estimated_cpu_seconds = cost.cpu_seconds;
   return info;
 }
 
 template <int dim>
 std::vector<PlanInfo> plan(const Problem<dim>& problem) {
   check(problem);
+  check_cost(problem);
   Fields<dim> fields(problem);
   std::vector<PlanInfo> infos;
   // Entering stage after stage shows the columns of each, from the initial state: nothing is run.

@@ -113,6 +113,14 @@ double StagePlan<dim>::propose_step() const {
 }
 
 template <int dim>
+double StagePlan<dim>::stable_step() const {
+  double step = std::numeric_limits<double>::infinity();
+  for (const Limit& limit : limits_)
+    if (limit.stability) step = std::min(step, limit.seconds() * stage.step_safety);
+  return step;
+}
+
+template <int dim>
 bool StagePlan<dim>::conditionally_stable() const {
   return std::any_of(limits_.begin(), limits_.end(), [](const Limit& limit) { return limit.stability; });
 }

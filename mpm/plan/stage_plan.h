@@ -106,9 +106,14 @@ class StagePlan {
   void resume(const std::map<std::string, std::vector<double>>& stored);
   void run_step();  ///< all kernels of all phases, in order
   double propose_step() const;
+  /// The least stability limit times the stage's safety factor [s]; infinity: none.
+  double stable_step() const;
   /// Conditionally stable: the step follows from a stability limit.
   bool conditionally_stable() const;
   double begin_time() const { return stage_index_ == 0 ? 0.0 : problem.stages[stage_index_ - 1].end_time; }
+  std::size_t index() const { return stage_index_; }
+  double expected_cost() const { return expected_cost_; }    ///< CPU seconds per step
+  double expected_steps() const { return expected_steps_; }  ///< 0: the limits tell
   void output(meshes::Snapshot& snapshot) const;
   void record(double time, meshes::FieldHistory& history) const;
   void finish(meshes::FieldHistory& history) const;

@@ -1,5 +1,6 @@
 #include "verification/commands/commands.h"
 #include "verification/run/run_scene.h"
+#include "verification/suites/hard/hard_suite.h"
 #include "verification/suites/hydraulics/hydraulics_suite.h"
 #include "verification/suites/reference_suite.h"
 #include "verification/suites/run_suite.h"
@@ -11,14 +12,21 @@ namespace wetfront::verification::commands {
 namespace {
 
 struct Suite {
-  std::string name, title;
-  std::vector<Case> (*cases)();
+  std::string name;
+  bool (*run)(const SuiteOptions&);
 };
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all = {
-      {"reference", "The reference and what it is held against", [] { return reference_suite(); }},
-      {"hydraulics", "Water in the material points: schemes, sides, surfaces", [] { return hydraulics_suite(); }},
+      {"reference",
+       [](const SuiteOptions& options) {
+         return run_suite(reference_suite(), options, "The reference and what it is held against");
+       }},
+      {"hydraulics",
+       [](const SuiteOptions& options) {
+         return run_suite(hydraulics_suite(), options, "Water in the material points: schemes, sides, surfaces");
+       }},
+      {"hard", run_hard_suite},
   };
   return all;
 }
@@ -39,7 +47,7 @@ int verify(const std::string& name, const std::filesystem::path& out, bool heavy
     throw std::invalid_argument("there is no suite '" + name + "' (there are: " + known + "). Choose one of them");
   }
   const SuiteOptions options{out.empty() ? std::filesystem::path("out/verify_" + name) : out, heavy, only};
-  const bool passed = run_suite(suite->cases(), options, suite->title);
+  const bool passed = suite->run(options);
   return static_cast<int>(passed ? Exit::pass : Exit::fail);
 }
 

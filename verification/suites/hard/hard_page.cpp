@@ -1,0 +1,107 @@
+// The page of one row: every scheme's entry, judged.
+#include "verification/suites/hard/hard_entry.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+using Outcome = HardEntry::Outcome;
+
+/// Nodal balance of every entry: what the issue asks of every case.
+const Gate balance_gate{1e-6, "1", "what is stored is what came in: every scheme is conservative, at any step"};
+/// Beyond the maximum principle: in steady ponding 1 Pa is asked; a Newton tolerance and a film leave less than this.
+const Gate overshoot_gate{1, "Pa", "heads stay between those of the start and the boundaries (maximum principle)"};
+const Gate energy_gate{1e-2, "1",
+                       "Darcy's flow only loses free energy; time integration of second order leaves this much"};
+
+bool refusal_is_fair(const HardCase& test, const HardEntry& entry) {
+  if (test.invalid) return !entry.too_expensive;
+  if (entry.too_expensive) return may_be_too_expensive(entry.scheme);
+  return entry.scheme != HardScheme::bdf2 && entry.scheme != HardScheme::backward_euler;
+}
+
+void fail(CaseBook& book, const HardEntry& entry, const std::string& why) {
+  book.judge(key(entry.scheme), key(entry.scheme) + ": " + why + ": " + entry.said, 1,
+             {0, "failures", "no entry may stop, hang or refuse without need"});
+}
+
+void judge(CaseBook& book, const HardCase& test, const HardEntry& entry) {
+  const std::string quantity = key(entry.scheme);
+  if (entry.outcome == Outcome::failed) return fail(book, entry, "stopped");
+  if (entry.outcome == Outcome::refused) {
+    if (!refusal_is_fair(test, entry)) return fail(book, entry, "refused");
+    return book.show(quantity, quantity + ": refused: " + entry.said, entry.estimate, "s");
+  }
+  if (test.invalid) return fail(book, entry, "ran a scene that makes no sense");
+  for (const Reading& reading : entry.readings)
+    book.judge(quantity, fmt::format("{}: {} after {:.6g} s", quantity, reading.what, entry.end), reading.error,
+               reading.bound);
+  book.judge(quantity, quantity + ": water balance of the unknowns", entry.balance, balance_gate);
+  book.judge(quantity, quantity + ": pressure beyond what heads can cause", entry.overshoot, overshoot_gate);
+  if (!std::isnan(entry.energy_growth))
+    book.judge(quantity, quantity + ": free energy gained", entry.energy_growth, energy_gate);
+  book.show(quantity, quantity + ": water balance by sums over points", entry.particle_balance, "1");
+}
+
+/// "stable", "FAIL", "refused".
+std::string word(const CaseBook& book, const HardCase& test, const HardEntry& entry) {
+  (void)book;
+  if (entry.outcome == Outcome::refused) return refusal_is_fair(test, entry) ? "refused" : "FAIL (refused)";
+  if (entry.outcome == Outcome::failed) return "FAIL (stopped)";
+  if (test.invalid) return "FAIL (ran)";
+  bool sound = entry.balance <= balance_gate.tolerance && entry.overshoot <= overshoot_gate.tolerance &&
+               !(entry.energy_growth > energy_gate.tolerance);
+  for (const Reading& reading : entry.readings) sound = sound && reading.error <= reading.bound.tolerance;
+  return sound ? "stable, within bound" : "FAIL (bound)";
+}
+
+std::vector<std::string> row(const CaseBook& book, const HardCase& test, const HardEntry& entry) {
+  const std::string verdict = word(book, test, entry);
+  if (entry.steps == 0) {
+    const std::string cost = entry.too_expensive ? fmt::format("{:.2g} expected", entry.estimate) : "-";
+    return {key(entry.scheme), verdict, "-", "-", "-", "-", "-", "-", "-", cost, entry.said};
+  }
+  std::string error;
+  for (const Reading& reading : entry.readings)
+    error += fmt::format("{}{:.2g} / {:.2g} {}", error.empty() ? "" : "; ", reading.error, reading.bound.tolerance,
+                         reading.bound.unit == "1" ? "" : reading.bound.unit);
+  return {key(entry.scheme),
+          verdict,
+          error,
+          fmt::format("{:.3g}", entry.end),
+          fmt::format("{:.1e} ({:.1e})", entry.balance, entry.particle_balance),
+          fmt::format("{:.2g}", entry.overshoot),
+          std::isnan(entry.energy_growth) ? "-" : fmt::format("{:.1e}", entry.energy_growth),
+          fmt::format("{:g}, {:g}", entry.newton_failures, entry.rejected),
+          fmt::format("{:g}", entry.steps),
+          fmt::format("{:.3f} / {:g}", entry.cpu, test.budget),
+          entry.said};
+}
+
+}  // namespace
+
+Case as_case(const HardCase& test) {
+  const auto run = [test](CaseBook& book) {
+    reports::Table table{"Entries",
+                         "Verdicts",
+                         "One row per scheme. Water balance relative to the water moved: by the unknowns (by sums over "
+                         "points). Energy: free energy gained, over that converted; '-' where free drainage takes an "
+                         "unknown amount.",
+                         {"scheme", "verdict", "error / bound", "end [s]", "water balance", "overshoot [Pa]",
+                          "energy gain", "Newton failures, rejected steps", "steps", "CPU [s] / budget", "said"},
+                         {}};
+    for (const HardScheme scheme : hard_schemes) {
+      const HardEntry entry = run_entry(test, scheme);
+      judge(book, test, entry);
+      table.rows.push_back(row(book, test, entry));
+      book.spend(entry.cpu);
+    }
+    book.tabulate(table);
+  };
+  return {test.name, test.title, test.requirement, test.source, test.effort, run};
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,129 @@
+// How a column's water is compared with the reference's.
+#include "mpm/laws/soil_water.h"
+#include "verification/suites/hard/hard_column.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace wetfront::verification {
+namespace {
+
+/// Elevation and content of the pieces of a column, from the base upwards: half cells or cells.
+struct Piece {
+  double from, to;  ///< m
+  double water;     ///< m3/m2
+};
+
+/// S(p) of a soil, with what is stored by compression.
+std::function<double(double)> content_law(const mpm::Problem<2>& problem, std::size_t soil) {
+  return [law = mpm::saturation_of(problem.soils[soil], *problem.water), n = problem.soils[soil].porosity,
+          bulk = problem.water->bulk_modulus](double p) { return n * law(p) * (p > 0 ? 1 + p / bulk : 1); };
+}
+
+std::vector<Piece> pieces(const HardColumn& column, const meshes::Mesh& mesh, const meshes::Snapshot& shot) {
+  const mpm::Problem<2> laws = strip_problem(column);
+  const auto up = static_cast<std::size_t>(meshes::up_axis(mesh.dim));
+  const std::size_t width = mesh.dim == 1 ? 1 : 2;  // nodes per elevation
+  const double surface = column.surface > 0 ? column.surface : column.height;
+  std::vector<Piece> out;
+  for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
+    const double low = mesh.nodes[width * c][up], high = mesh.nodes[width * (c + 1)][up];
+    const auto content = content_law(laws, static_cast<std::size_t>(mesh.region[c]));
+    const double top = std::min(high, surface);
+    if (top <= low) continue;
+    if (shot.cells_hold_averages) {
+      out.push_back({low, top, content(shot.cell_pressure[c]) * (top - low)});
+      continue;
+    }
+    // Lumped: each node stands for the part of the soil that its shape function has.
+    const double upper = (top - low) * (top - low) / (2 * (high - low)), lower = top - low - upper;
+    out.push_back({low, low + lower, content(shot.node_pressure[width * c]) * lower});
+    out.push_back({low + lower, top, content(shot.node_pressure[width * (c + 1)]) * upper});
+  }
+  return out;
+}
+
+std::vector<double> below(const std::vector<Piece>& pieces, const std::vector<double>& elevations) {
+  std::vector<double> sums;
+  for (const double z : elevations) {
+    double sum = 0;
+    for (const Piece& piece : pieces)
+      sum += piece.water * std::clamp((z - piece.from) / (piece.to - piece.from), 0.0, 1.0);
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+const meshes::Snapshot& snapshot_at(const meshes::FieldHistory& history, double time) {
+  const auto found = std::find_if(history.snapshots.begin(), history.snapshots.end(),
+                                  [time](const auto& shot) { return shot.time == time; });
+  if (found == history.snapshots.end()) throw std::logic_error("the yardstick has no output at that time");
+  return *found;
+}
+
+}  // namespace
+
+std::vector<double> water_below(const HardColumn& column, const meshes::Mesh& mesh, const meshes::Snapshot& shot,
+                                const std::vector<double>& elevations) {
+  return below(pieces(column, mesh, shot), elevations);
+}
+
+double misplaced_water(const HardColumn& column, const meshes::FieldHistory& mpm,
+                       const meshes::FieldHistory& reference) {
+  const double height = column.surface > 0 ? column.surface : column.height;
+  constexpr int parts = 200;
+  std::vector<double> z;
+  for (int k = 0; k <= parts; ++k) z.push_back(height * k / parts);
+  const meshes::Snapshot& last = mpm.snapshots.back();
+  const auto at = [&](const meshes::FieldHistory& history, const meshes::Snapshot& shot) {
+    return water_below(column, history.mesh, shot, z);
+  };
+  const auto candidate = at(mpm, last), yardstick = at(reference, snapshot_at(reference, last.time)),
+             start = at(reference, snapshot_at(reference, 0));
+  double area = 0, moved = 0;
+  for (std::size_t k = 0; k < z.size(); ++k) {
+    area += std::abs(candidate[k] - yardstick[k]) * height / parts;
+    moved = std::max(moved, std::abs(yardstick[k] - start[k]));
+  }
+  const double cell = column.height / static_cast<double>(mpm.mesh.cell_count());
+  return area / std::max(moved, 1e-12) / cell;
+}
+
+double pressure_difference(const meshes::FieldHistory& mpm, const meshes::FieldHistory& reference, double driest) {
+  const meshes::Snapshot &last = mpm.snapshots.back(), &true_one = snapshot_at(reference, last.time);
+  double worst = 0;
+  for (std::size_t i = 0; i < mpm.mesh.node_count(); i += 2) {
+    const double z = mpm.mesh.nodes[i][1];
+    const auto above = std::lower_bound(reference.mesh.nodes.begin(), reference.mesh.nodes.end(), z - 1e-9,
+                                        [](const meshes::Point& node, double at) { return node[0] < at; });
+    if (above == reference.mesh.nodes.end()) continue;
+    const double p = true_one.node_pressure[static_cast<std::size_t>(above - reference.mesh.nodes.begin())];
+    const double difference = std::abs(last.node_pressure[i] - p);
+    if (p > driest) worst = difference <= worst ? worst : difference;
+  }
+  return worst;
+}
+
+HardCase column_case(const ColumnRow& row) {
+  HardCase out{row.name,
+               row.title,
+               row.requirement,
+               row.source,
+               row.effort,
+               [column = row.column] { return strip_problem(column); },
+               row.ends.empty() ? std::vector<double>{row.column.outputs.back()} : row.ends,
+               row.seepage_until,
+               row.budget,
+               {}};
+  // Solved when first asked for: once for all schemes.
+  const auto reference = std::make_shared<std::optional<meshes::FieldHistory>>();
+  out.judge = [row, reference](const mpm::Problem<2>&, const meshes::FieldHistory& history) {
+    if (!*reference) *reference = fem_reference::solve(line_problem(row.column, row.finer));
+    return std::vector<Reading>{
+        {"misplaced water", misplaced_water(row.column, history, **reference), {row.cells_off, "cells", row.reason}}};
+  };
+  return out;
+}
+
+}  // namespace wetfront::verification
