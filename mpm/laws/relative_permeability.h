@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/laws/log_table.h"
 #include "mpm/laws/retention.h"
 
 #include <type_traits>
@@ -7,11 +8,7 @@
 /// Relative permeability as a function of suction, given the retention curve of the same soil.
 namespace wetfront::mpm {
 
-struct ValueAndSlope {
-  double value = 1;  ///< k_rel [-]
-  double slope = 0;  ///< d k_rel / ds [1/Pa]
-};
-
+/// Returns k_rel [-] and d k_rel / ds [1/Pa].
 template <class Law, class Curve>
 concept RelativePermeability = requires(const Law& law, const Curve& curve, double s) {
   { law(curve, s) } -> std::same_as<ValueAndSlope>;

@@ -51,14 +51,12 @@ void join_seepage(StagePlan<dim>& plan) {
     throw CannotPlan(plan.stage.origin + ": stage '" + plan.stage.name +
                      "' moves water by seepage through an elastic skeleton (the coupling of the two is not there yet; "
                      "it comes with issue 4). Leave the elastic law out, or use the scheme implicit-drag");
-  if (*plan.stage.liquid != LiquidScheme::seepage)
-    throw CannotPlan(plan.stage.origin + ": the scheme semi-implicit is not there yet");
   for (const auto& boundary : problem.water_boundary)
     if (boundary.index() > 2)
       throw CannotPlan(std::visit([](const auto& b) { return b.origin + ": side '" + b.side; }, boundary) +
                        "': this condition is not there yet");
   auto water = std::make_shared<NodalWater<dim>>();
-  plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, water));
+  plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, *plan.stage.liquid, water));
   if (const Origin* origin = first_origin<RainSide>(problem))
     plan.join(std::make_unique<RainOnSeepage<dim>>(*origin, water));
   if (const Origin* origin = first_origin<FreeDrainageSide>(problem))

@@ -34,10 +34,13 @@ struct NodalWater {
   Column* capacity = nullptr;  ///< dW/dp [m^dim/Pa]
   Column* inflow = nullptr;    ///< R(p) [m^dim/s]
   Column* outflow = nullptr;   ///< part of R that leaves through the boundary, > 0 outwards [m^dim/s]
+  double dt = 0;               ///< s, of the step that is being tried
 
   /// Adds dR_i/dp_i of a boundary term.
-  void add_slope(int node, double slope) {
-    matrix->values()[static_cast<std::size_t>(matrix->slot(node, node))] += slope;
+  void add_slope(int node, double slope) { add_slope(node, node, slope); }
+  /// Adds dR_row/dp_column; the two are nodes of one occupied cell.
+  void add_slope(int row, int column, double slope) {
+    matrix->values()[static_cast<std::size_t>(matrix->slot(row, column))] += slope;
   }
 
   /// Provides `name rate`, `name` and `name before` on the nodes and has them integrated. Returns the rate.

@@ -1,87 +1,11 @@
 #include "mpm/seepage/seepage.h"
 
-#include "mpm/grid/cell_values.h"
-#include "mpm/laws/soil_water.h"
-#include "mpm/record/water_ledger.h"
-#include "mpm/skeleton/rigid_skeleton.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace wetfront::mpm {
-
-namespace {
-
-/// Water per pore volume of a soil at pressure p, and its slope: S, plus linear storage S_max p/K_l above p = 0.
-template <class Laws>
-ValueAndSlope water_content(const Laws& laws, double bulk_modulus, double p) {
-  if (p > 0) return {laws.curve.s_max() * (1 + p / bulk_modulus), laws.curve.s_max() / bulk_modulus};
-  return {laws.curve.saturation(-p), -laws.curve.slope(-p)};
-}
-
-/// What drives Darcy's flux: grad p alone, or grad p - rho g where the scene has gravity.
-template <int dim>
-struct PressureOnly {
-  void operator()(Vector<dim>&) const {}
-};
-template <int dim>
-struct PressureAndWeight {
-  Vector<dim> weight;  ///< rho g [Pa/m]
-  void operator()(Vector<dim>& gradient) const {
-    for (int a = 0; a < dim; ++a) gradient[a] -= weight[a];
-  }
-};
-
-/// Darcy flux of the points of a block: R_i -= V_p grad N_i . (k k_rel/mu)(grad p - rho g), with its derivative.
-template <int dim, class Laws, class Driving>
-struct DarcyFlux {
-  NodalWater<dim>& water;
-  const std::vector<int>& slots;
-  const Column &volume, &value, &gradient;
-  Laws laws;
-  Driving driving;
-
-  void operator()(const Block& block) const {
-    constexpr int n = cell_nodes<dim>;
-    std::array<double, n> p_node{}, flow{};
-    std::array<double, n * n> slope{};
-    for (int i = 0; i < n; ++i) p_node[i] = (*water.trial)[0][block.nodes[i]];
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      std::array<double, n> shape{}, along{};
-      std::array<Vector<dim>, n> grad{};
-      Vector<dim> drive{};
-      double p = 0;
-      for (int i = 0; i < n; ++i) {
-        shape[i] = value[i][q];
-        p += shape[i] * p_node[i];
-        for (int a = 0; a < dim; ++a) {
-          grad[i][a] = gradient[i * dim + a][q];
-          drive[a] += grad[i][a] * p_node[i];
-        }
-      }
-      driving(drive);
-      const ValueAndSlope relative = laws.permeability(laws.curve, -p);
-      const double scale = volume[0][q] * laws.saturated_mobility;
-      const double mobility = scale * relative.value, mobility_slope = -scale * relative.slope;
-      for (int i = 0; i < n; ++i) {
-        for (int a = 0; a < dim; ++a) along[i] += grad[i][a] * drive[a];
-        flow[i] -= mobility * along[i];
-      }
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          double stiffness = 0;
-          for (int a = 0; a < dim; ++a) stiffness += grad[i][a] * grad[j][a];
-          slope[i * n + j] -= mobility * stiffness + mobility_slope * shape[j] * along[i];
-        }
-    }
-    const auto matrix = water.matrix->values();
-    for (int i = 0; i < n; ++i) (*water.inflow)[0][block.nodes[i]] += flow[i];
-    for (int k = 0; k < n * n; ++k) matrix[static_cast<std::size_t>(slots[block.cell * n * n + k])] += slope[k];
-  }
-};
-
-}  // namespace
 
 template <int dim>
 void Seepage<dim>::provide_columns(StagePlan<dim>& plan) {
@@ -103,6 +27,8 @@ void Seepage<dim>::provide_columns(StagePlan<dim>& plan) {
   columns_.steps = &plan.provide_on_run({"seepage steps", "dt", "s", step_memory_entries});
   columns_.point_pressure = &plan.provide_on_points({"pressure", "p", "Pa"});
   columns_.point_saturation = &plan.provide_on_points({"saturation", "S", "-"});
+  if (plan.stage.liquid == LiquidScheme::semi_implicit)
+    columns_.flux = &plan.provide_on_points({"flux", "q", "m/s", dim});
   water_->trial = in_step("trial pressure", "p*", "Pa");
   water_->stored = in_step("trial stored water", "W*", volume);
   water_->capacity = in_step("capacity", "dW/dp", volume + "/Pa");
@@ -136,141 +62,41 @@ void Seepage<dim>::prepare(StagePlan<dim>& plan) {
       for (int j = 0; j < n; ++j)
         slots_[block.cell * n * n + static_cast<std::size_t>(i * n + j)] =
             water_->matrix->slot(block.nodes[i], block.nodes[j]);
+  measure_cells(plan);
   step_->prepare();
 }
 
 template <int dim>
-void Seepage<dim>::add_terms(StagePlan<dim>& plan) {
-  const Water& liquid = *plan.problem.water;
-  const Column &volume = plan.require_on_points("volume"), &value = plan.require_on_points("shape value"),
-               &gradient = plan.require_on_points("shape gradient");
-  const Column* gravity = plan.fields.run.find("gravity");
-  const bool weighs = gravity != nullptr && !gravity->provided_by().empty();
-  PressureAndWeight<dim> driving{plan.problem.gravity};
-  for (double& component : driving.weight) component *= liquid.density;
-  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
-    const int region = static_cast<int>(r);
-    const Soil& soil = plan.problem.soils[r];
-    with_soil_water(soil, liquid, [&](const auto& laws) {
-      using Laws = std::decay_t<decltype(laws)>;
-      const auto storage = [this, laws, region, K = liquid.bulk_modulus] {
-        const double *pores = (*columns_.pore_volume)[region], *p = (*water_->trial)[0];
-        double *stored = (*water_->stored)[0], *capacity = (*water_->capacity)[0];
-        for (std::size_t i = 0; i < columns_.pressure->size(); ++i) {
-          if (!(pores[i] > 0)) continue;
-          const ValueAndSlope content = water_content(laws, K, p[i]);
-          stored[i] += pores[i] * content.value;
-          capacity[i] += pores[i] * content.slope;
-        }
-      };
-      water_->terms.push_back(&plan.add_iterated(Phase::pressure, "storage [" + soil.name + "]", storage));
-      const auto add_flux = [&](auto drive) {
-        DarcyFlux<dim, Laws, decltype(drive)> flux{*water_, slots_, volume, value, gradient, laws, drive};
-        const auto body = [&points = plan.fields.points, region, flux] {
-          for (const Block& block : points.blocks(region)) flux(block);
-        };
-        water_->terms.push_back(&plan.add_iterated(Phase::pressure, "Darcy flux [" + soil.name + "]", body));
-      };
-      if (weighs)
-        add_flux(driving);
-      else
-        add_flux(PressureOnly<dim>{});
-    });
+void Seepage<dim>::measure_cells(const StagePlan<dim>& plan) {
+  const Problem<dim>& problem = plan.problem;
+  const Column& volume = *plan.fields.points.columns.find("volume");
+  mobility_.assign(plan.fields.grid.cell_count(), 0.0);
+  reach_.assign(plan.fields.points.size(), 0.0);
+  Stencil<dim> centre;
+  for (const Block& block : plan.fields.points.blocks()) {
+    const Soil& soil = problem.soils[static_cast<std::size_t>(plan.fields.grid.region(block.cell))];
+    const double factor = problem.conductivity_factor.empty() ? 1 : problem.conductivity_factor[block.cell];
+    mobility_[block.cell] = factor * soil.intrinsic_permeability / problem.water->viscosity;
+    const double cell = cell_nodes<dim> * plan.fields.grid.stencil(block.cell, Vector<dim>{}, centre);
+    for (std::size_t q = block.first; q < block.first + block.count; ++q)
+      reach_[q] = std::min(1.0, std::pow(volume[0][q] / cell, 1.0 / dim));
   }
-}
-
-template <int dim>
-void Seepage<dim>::add_point_update(StagePlan<dim>& plan) {
-  const Column &volume = plan.require_on_points("volume"), &value = plan.require_on_points("shape value");
-  Column& ledger = plan.require_on_run("water ledger");
-  const auto clear = [&ledger] { ledger[ledger_stored_points][0] = 0; };
-  plan.add(Phase::saturation, "clear point sums", clear);
-  plan.at_begin(clear);
-  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
-    const int region = static_cast<int>(r);
-    const Soil& soil = plan.problem.soils[r];
-    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
-      const auto update = [this, laws, &volume, &value, &ledger,
-                           K = plan.problem.water->bulk_modulus](const Block& block) {
-        double water = 0;
-        for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-          double p = 0;
-          for (int i = 0; i < cell_nodes<dim>; ++i) p += value[i][q] * (*columns_.pressure)[0][block.nodes[i]];
-          (*columns_.point_pressure)[0][q] = p;
-          (*columns_.point_saturation)[0][q] = laws.saturation(p);
-          water += volume[0][q] * laws.porosity * water_content(laws, K, p).value;
-        }
-        ledger[ledger_stored_points][0] += water;
-      };
-      plan.add_over_blocks(Phase::saturation, "points from nodes [" + soil.name + "]", region, update);
-      plan.at_begin([&points = plan.fields.points, region, update] {
-        for (const Block& block : points.blocks(region)) update(block);
-      });
-    });
-  }
-}
-
-template <int dim>
-void Seepage<dim>::add_ledger(StagePlan<dim>& plan) {
-  Column& ledger = plan.provide_on_run(water_ledger_spec());
-  Column& outflow = plan.require_on_nodes("outflow");
-  const auto sum = [](const Column& column) {
-    double total = 0;
-    for (double value : column.values()) total += value;
-    return total;
-  };
-  const auto write = [this, &ledger, &outflow, sum] {
-    ledger[ledger_stored][0] = sum(*columns_.stored);
-    ledger[ledger_outflow][0] = sum(outflow);
-  };
-  plan.add(Phase::carry, "water ledger", write);
-  // The first nodal storage of the stage: W(p) of the pressures it starts from.
-  plan.at_begin([this, write] {
-    std::ranges::copy(columns_.pressure->values(), water_->trial->values().begin());
-    water_->stored->fill(0);
-    for (Kernel* term : water_->terms)
-      if (term->name().starts_with("storage")) term->run();
-    std::ranges::copy(water_->stored->values(), columns_.stored->values().begin());
-    write();
-  });
-}
-
-template <int dim>
-void Seepage<dim>::add_output(StagePlan<dim>& plan) {
-  std::vector<std::function<double(double)>> saturation;
-  for (const Soil& soil : plan.problem.soils) saturation.push_back(saturation_of(soil, *plan.problem.water));
-  plan.at_output([this, &plan, saturation](meshes::Snapshot& out) {
-    const auto& grid = plan.fields.grid;
-    const double* p = (*columns_.pressure)[0];
-    out.node_pressure.assign(p, p + grid.node_count());
-    out.node_saturation.assign(grid.node_count(), std::numeric_limits<double>::quiet_NaN());
-    out.cell_pressure = cell_values(grid, p);
-    for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-      const auto& law = saturation[static_cast<std::size_t>(grid.region(cell))];
-      for (int i = 0; i < cell_nodes<dim>; ++i) {
-        const int node = grid.cell_nodes_of(cell)[i];
-        out.node_saturation[static_cast<std::size_t>(node)] = law(p[node]);
-      }
-      out.cell_saturation.push_back(law(out.cell_pressure[cell]));
-    }
-    const auto copy = [](const Column& column) {
-      return std::vector<double>(column.values().begin(), column.values().end());
-    };
-    out.points.pressure = copy(*columns_.point_pressure);
-    out.points.saturation = copy(*columns_.point_saturation);
-  });
 }
 
 template <int dim>
 void Seepage<dim>::join(StagePlan<dim>& plan) {
   provide_columns(plan);
   double scale = std::numeric_limits<double>::infinity();
-  for (const Soil& soil : plan.problem.soils)
-    with_soil_water(soil, *plan.problem.water,
-                    [&scale](const auto& laws) { scale = std::min(scale, laws.curve.pressure_scale()); });
-  add_terms(plan);
+  for (const Soil& soil : plan.problem.soils) {
+    const TabulatedSoilWater laws = tabulated_soil_water(soil, *plan.problem.water);
+    soils_.push_back({SoilContent(soil, laws.curve, plan.problem.water->bulk_modulus), laws.permeability});
+    scale = std::min(scale, laws.curve.pressure_scale());
+  }
+  add_storage(plan);
+  add_flux(plan);
   step_ = std::make_unique<SeepageStep<dim>>(plan, *water_, columns_, scale);
   plan.add(Phase::pressure, "Newton's method and step control", [this] { step_->run(); });
+  for (const auto& add : after_step_) add();
   plan.at_ready([this, &plan] { prepare(plan); });
   add_ledger(plan);
   add_point_update(plan);

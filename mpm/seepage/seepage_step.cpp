@@ -56,7 +56,9 @@ typename SeepageStep<dim>::Formula SeepageStep<dim>::formula(double dt) const {
   const double h1 = (*c_.steps)[step_last][0], h2 = (*c_.steps)[step_before][0];
   const double history = (*c_.steps)[step_history][0];
   if (history < 1) return {Bdf2Weights{}, StepPredictor::constant()};
-  if (plan_.stage.integrator == TimeIntegrator::backward_euler) return {Bdf2Weights{}, StepPredictor::line(dt, h1)};
+  // The inertia of the liquid is integrated by backward Euler, so the rest is too.
+  if (plan_.stage.integrator == TimeIntegrator::backward_euler || c_.flux != nullptr)
+    return {Bdf2Weights{}, StepPredictor::line(dt, h1)};
   if (history < 2) return {Bdf2Weights::of(dt / h1), StepPredictor::line(dt, h1)};
   return {Bdf2Weights::of(dt / h1), StepPredictor::parabola(dt, h1, h2)};
 }
@@ -84,6 +86,7 @@ void SeepageStep<dim>::evaluate() {
 
 template <int dim>
 double SeepageStep<dim>::residual(const Bdf2Weights& weights, double dt) {
+  water_.dt = dt;
   evaluate();
   const double *now = (*water_.stored)[0], *last = (*c_.stored)[0], *before = (*c_.stored_before)[0];
   const double* inflow = (*water_.inflow)[0];
@@ -157,6 +160,7 @@ template <int dim>
 double SeepageStep<dim>::first_step() {
   std::ranges::copy(c_.pressure->values(), water_.trial->values().begin());
   for (const auto& held : water_.held) (*water_.trial)[0][held.node] = held.pressure;
+  water_.dt = plan_.stage.end_time - plan_.begin_time();
   evaluate();
   double step = plan_.stage.end_time - plan_.begin_time();
   for (int node : active_) {

@@ -16,6 +16,7 @@ struct SeepageColumns {
   Column *outflow, *outflow_before;
   Column* steps;  ///< on the run: see StepMemory
   Column *point_pressure, *point_saturation;
+  Column* flux = nullptr;  ///< q of the points [m/s], with inertia only
 };
 
 /// Components of the run column "seepage steps".

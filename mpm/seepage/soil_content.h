@@ -1,0 +1,32 @@
+#pragma once
+
+#include "mpm/laws/soil_water.h"
+
+namespace wetfront::mpm {
+
+/// Water per pore volume of a soil at pore pressure p: S(-p), plus linear storage S_max beta (p + entry) while the
+/// pores are full, that is for p > -entry (cut-off or entry of the curve, else 0). One continuous, non-decreasing
+/// function. beta = 1/K_l, or what the soil says of its own storage; 0 for water that cannot be compressed.
+class SoilContent {
+ public:
+  SoilContent(const Soil& soil, const TabulatedCurve& curve, double bulk_modulus)
+      : curve_(curve),
+        entry_(curve.saturated_until()),
+        stored_per_pressure_(soil.storage ? *soil.storage / soil.porosity : curve.s_max() / bulk_modulus) {}
+
+  ValueAndSlope at(double p) const {
+    const double above = p + entry_;
+    if (above > 0) return {curve_.s_max() + stored_per_pressure_ * above, stored_per_pressure_};
+    const ValueAndSlope saturation = curve_.saturation_at(-p);
+    return {saturation.value, -saturation.slope};
+  }
+  double saturation(double p) const { return curve_.saturation(-p); }
+  bool compressible() const { return stored_per_pressure_ > 0; }
+  const TabulatedCurve& curve() const { return curve_; }
+
+ private:
+  TabulatedCurve curve_;
+  double entry_, stored_per_pressure_;
+};
+
+}  // namespace wetfront::mpm
