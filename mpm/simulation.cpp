@@ -27,6 +27,7 @@ struct Simulation<dim>::Implementation {
   meshes::FieldHistory history;
   double time = 0, recorded_until = 0;
   std::size_t stage = 0;
+  std::vector<double> breaks, events;  ///< of the stage; outputs and breaks [s, ascending]
   double cpu_start = thread_cpu_seconds();
 
   explicit Implementation(const Problem<dim>& p) : problem((check(p), check_cost(p), p)), fields(problem) {
@@ -73,28 +74,24 @@ struct Simulation<dim>::Implementation {
   void watch() {
     const typename RunGuard<dim>::Spent cpu{history.cpu_seconds, cpu_start};
     guard = std::make_unique<RunGuard<dim>>(*plan, cpu, estimate(*plan).steps);
-  }
-
-  long steps_taken() const {
-    const auto steps = history.counters.find("steps");
-    return steps == history.counters.end() ? 0 : static_cast<long>(steps->second);
+    // Sorted: a rain record may have 1e5 rows.
+    breaks = plan->breaks();
+    std::sort(breaks.begin(), breaks.end());
+    events = problem.output_times;
+    events.insert(events.end(), breaks.begin(), breaks.end());
+    std::sort(events.begin(), events.end());
   }
 
   double next_event() const {
-    double event = plan->stage.end_time;
-    for (double t : problem.output_times)
-      if (t > time) event = std::min(event, t);
-    for (double t : plan->breaks())
-      if (t > time) event = std::min(event, t);
-    return event;
+    const auto next = std::upper_bound(events.begin(), events.end(), time);
+    return next == events.end() ? plan->stage.end_time : std::min(*next, plan->stage.end_time);
   }
 
   void set_clock() {
     Clock& clock = plan->clock;
     clock.time = time;
     clock.event = next_event();
-    clock.broken = time == plan->begin_time() ||
-                   std::find(plan->breaks().begin(), plan->breaks().end(), time) != plan->breaks().end();
+    clock.broken = time == plan->begin_time() || std::binary_search(breaks.begin(), breaks.end(), time);
     const double rest = clock.event - time, wanted = plan->propose_step();
     if (!(wanted > 1e-14 * std::max(1.0, clock.event)))
       throw StepFailed("the time step has shrunk to " + std::to_string(wanted) + " s");
@@ -105,12 +102,12 @@ struct Simulation<dim>::Implementation {
 
   void step() {
     if (finished()) return;
-    const long steps = steps_taken();
+    double& steps = history.counters["steps"];
     try {
-      guard->before_step(steps);
+      guard->before_step(static_cast<long>(steps));
       set_clock();
       plan->run_step();
-      guard->after_step(steps);
+      guard->after_step(static_cast<long>(steps));
     } catch (const StepFailed& failure) {
       const std::string message =
           "t = " + std::to_string(time) + " s, stage '" + plan->stage.name + "': " + failure.what();
@@ -118,12 +115,11 @@ struct Simulation<dim>::Implementation {
       throw GaveUp(message, finished_history());
     }
     time = plan->clock.end;
-    history.counters["steps"] += 1;
+    steps += 1;
     const bool event = time >= plan->clock.event;
     const double interval = (plan->stage.end_time - plan->begin_time()) / rows_per_stage;
     if (event || !plan->conditionally_stable() || time - recorded_until >= interval) record();
-    if (std::find(problem.output_times.begin(), problem.output_times.end(), time) != problem.output_times.end())
-      write_snapshot();
+    write_snapshot();
     if (time >= plan->stage.end_time && !finished()) change_stage();
   }
 
@@ -131,7 +127,12 @@ struct Simulation<dim>::Implementation {
     plan->finish(history);
     guard->tell(history);
     ++stage;
-    enter_stage();
+    try {
+      enter_stage();
+    } catch (const CannotPlan& refused) {
+      history.cpu_seconds += thread_cpu_seconds() - cpu_start;
+      throw GaveUp("t = " + std::to_string(time) + " s: " + refused.what(), history);
+    }
   }
 
   void record() {
@@ -145,7 +146,7 @@ struct Simulation<dim>::Implementation {
   }
 
   void write_snapshot() {
-    if (std::find(problem.output_times.begin(), problem.output_times.end(), time) == problem.output_times.end()) return;
+    if (!std::binary_search(problem.output_times.begin(), problem.output_times.end(), time)) return;
     meshes::Snapshot snapshot;
     snapshot.time = time;
     snapshot.stage = plan->stage.name;

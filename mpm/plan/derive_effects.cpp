@@ -1,5 +1,6 @@
 #include "mpm/plan/derive_effects.h"
 
+#include "mpm/plan/check_numbers.h"
 #include "mpm/record/probes.h"
 #include "mpm/seepage/seepage.h"
 #include "mpm/seepage/seepage_boundary.h"
@@ -120,6 +121,7 @@ void check(const Problem<dim>& problem) {
   if (problem.water && problem.initial_pressure.size() != problem.mesh.node_count())
     throw CannotPlan("the scene has water, but no initial pressure for each of its " +
                      std::to_string(problem.mesh.node_count()) + " mesh nodes. Say how the water lies at the start");
+  check_numbers(problem);
 }
 
 template <int dim>

@@ -74,8 +74,12 @@ void StagePlan<dim>::enter() {
   for (ColumnSet* set : {&fields.points.columns, &fields.grid.columns, &fields.run}) set->allocate();
   for (auto& body : at_entry_) body();
   for (ColumnSet* set : {&fields.points.columns, &fields.grid.columns, &fields.run}) set->free_unprovided();
-  for (auto& body : at_ready_) body();
-  for (auto& body : at_begin_) body();
+  try {
+    for (auto& body : at_ready_) body();
+    for (auto& body : at_begin_) body();
+  } catch (const StepFailed& failure) {
+    throw CannotPlan(stage.origin + ": stage '" + stage.name + "' cannot begin: " + failure.what());
+  }
 }
 
 template <int dim>

@@ -1,0 +1,80 @@
+// Numbers that physics does not allow are refused before anything runs, each with the entry's name.
+#include "mpm/plan.h"
+#include "tests/mpm/strip.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace wetfront::mpm {
+namespace {
+
+struct Spoilt {
+  const char* name;
+  std::function<void(Problem<2>&)> spoil;
+  const char* complaint;
+};
+
+VanGenuchtenRetention& curve(Problem<2>& problem) {
+  return std::get<VanGenuchtenRetention>(*problem.soils[0].retention);
+}
+RainSide& rain(Problem<2>& problem) {
+  return std::get<RainSide>(problem.water_boundary[0]);
+}
+
+class CheckNumbers : public ::testing::TestWithParam<Spoilt> {};
+
+TEST_P(CheckNumbers, RefusesAndSaysWhat) {
+  Problem<2> problem = test::seed_column(5, 0.087, 3e-5, 1);
+  ASSERT_NO_THROW(plan(problem));
+  GetParam().spoil(problem);
+  try {
+    plan(problem);
+    FAIL() << "accepted";
+  } catch (const CannotPlan& refused) {
+    EXPECT_THAT(refused.what(), ::testing::HasSubstr(GetParam().complaint));
+  }
+}
+
+const Spoilt all[] = {
+    {"Start", [](auto& p) { p.initial_pressure[3] = std::nan(""); }, "initial pressure at mesh node 3 is nan"},
+    {"Porosity", [](auto& p) { p.soils[0].porosity = 1; }, "test:soil: porosity of soil 'sand' is 1"},
+    {"Permeability", [](auto& p) { p.soils[0].intrinsic_permeability = 0; }, "intrinsic permeability"},
+    {"Saturations", [](auto& p) { curve(p).s_min = 1.1; }, "s_max of soil 'sand'"},
+    {"Lambda", [](auto& p) { curve(p).lambda = 1.2; }, "lambda of soil 'sand' is 1.2"},
+    {"AirEntry", [](auto& p) { curve(p).air_entry = -1; }, "air entry of soil 'sand'"},
+    {"NotANumberOfRain", [](auto& p) { rain(p).rain.intensity[0] = NAN; }, "test:rain: value 0 of the rain record"},
+    {"NegativeRain", [](auto& p) { rain(p).rain.intensity[0] = -1e-9; }, "it has to be 0 or more"},
+    {"RainBackwards",
+     [](auto& p) {
+       rain(p).rain = {{5, 3}, {0, 0}};
+     },
+     "time 1 of the rain record is 3"},
+    {"RainShort",
+     [](auto& p) {
+       rain(p).rain = {{5, 6}, {0}};
+     },
+     "it has 2 times"},
+    {"Water", [](auto& p) { p.water->bulk_modulus = -1; }, "bulk modulus of the water"},
+    {"HeldPressure",
+     [](auto& p) {
+       p.water_boundary = {PressureSide{"base", INFINITY, "o"}};
+     },
+     "prescribed pressure"},
+    {"Cell", [](auto& p) { p.mesh.nodes[4][1] = p.mesh.nodes[5][1] = -0.1; }, "corner of mesh cell"},
+    {"End", [](auto& p) { p.stages[0].end_time = INFINITY; }, "end of stage 'infiltration' is inf"},
+};
+INSTANTIATE_TEST_SUITE_P(All, CheckNumbers, ::testing::ValuesIn(all),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(CheckNumbers, LetsIncompressibleWaterBe) {
+  Problem<2> problem = test::seed_column(5, 0.087, 3e-5, 1);
+  problem.water->bulk_modulus = std::numeric_limits<double>::infinity();
+  EXPECT_NO_THROW(plan(problem));
+}
+
+}  // namespace
+}  // namespace wetfront::mpm
