@@ -1,4 +1,5 @@
 #include "verification/compare/balance.h"
+#include "verification/compare/side_flux.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,28 @@ TEST(Balance, AHandOverIsNotChargedToTheStageAfterIt) {
   EXPECT_NEAR(imbalance(ledger, {1, 2}), 0, 1e-15);
   EXPECT_NEAR(undelivered(ledger, 1, 2, Sum::nodal), 0, 1e-15);
   EXPECT_NEAR(hand_over_jump(ledger, 1), 0.1 / 6, 1e-15);
+}
+
+/// Two conditions on one side count together, water in counts up, times lie between rows; the surface found in cells is
+/// "top".
+TEST(SideFlux, AddsWhatPassedASideWhateverItsConditions) {
+  meshes::FieldHistory history, other;
+  history.mesh.dim = other.mesh.dim = 2;
+  history.ledger = {row(0, 0, 0, 0, 5), row(2, 4, 4, 0, 9)};
+  history.sides = {{"free surface", "rain", {0, 4}, {0, 1}, {0, 0.5}, {0, 0.25}, {0, 1}},
+                   {"left", "water level", {0, 0}, {0, 0}, {0, -3}, {0, 0}, {0, 0}},
+                   {"left", "rain", {0, 1}, {0, 0}, {0, 0}, {0, 0}, {0, 0}},
+                   {"", "source", {0, 0}, {0, 0}, {0, -7}, {0, 0}, {0, 0}}};
+  other.sides = {{"left", "water level", {}, {}, {}, {}, {}},
+                 {"top", "rain", {}, {}, {}, {}, {}},
+                 {"left", "rain", {}, {}, {}, {}, {}},
+                 {"right", "head", {}, {}, {}, {}, {}}};
+  EXPECT_EQ(common_sides(history, other), (std::vector<std::string>{"left", "top"}));
+  EXPECT_DOUBLE_EQ(net_inflow(history, "top", 2), 4 - 1 - 0.5 - 0.25);
+  EXPECT_DOUBLE_EQ(net_inflow(history, "left", 2), 4);
+  EXPECT_DOUBLE_EQ(net_inflow(history, "left", 0.5), 1);
+  other.mesh.dim = 1;
+  EXPECT_TRUE(common_sides(history, other).empty());
 }
 
 }  // namespace

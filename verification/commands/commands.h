@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verification/run/solve_reference.h"
+#include "verification/run/run_scene.h"
 
 #include <filesystem>
 #include <string>
@@ -12,7 +12,7 @@ namespace wetfront::verification::commands {
 
 using Paths = std::vector<std::filesystem::path>;
 
-int run(const Paths& scenes, const std::filesystem::path& out, const ReferenceStore& store);
+int run(const Paths& scenes, const std::filesystem::path& out, const RunOptions& options);
 int explain(const Paths& scenes);
 int check(const Paths& scenes);
 int reference(const std::filesystem::path& scene, const std::filesystem::path& out, const ReferenceStore& store);

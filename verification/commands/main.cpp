@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <cstdio>
 #include <functional>
 #include <stdexcept>
@@ -39,10 +40,24 @@ int guarded(const std::function<int()>& command) {
 struct Arguments {
   commands::Paths scenes;
   std::filesystem::path scene, folder, out;
-  std::string name, suite, only;
+  std::string name, suite, only, accuracy;
   bool page = false, no_store = false, heavy = false;
   wetfront::verification::ReferenceStore store{"out/.references"};
 };
+
+/// "1%", "1 %" or "0.01"; 0 for nothing. Throws std::invalid_argument.
+double fraction(const std::string& text) {
+  if (text.empty()) return 0;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  std::string unit(end, text.data() + text.size());
+  std::erase(unit, ' ');
+  if (unit == "%") value /= 100;
+  if (error != std::errc{} || (!unit.empty() && unit != "%") || !(value > 0 && value < 1))
+    throw std::invalid_argument("--accuracy " + text +
+                                " is no accuracy (a relative error between 0 and 1 is meant). Write e.g. 1% or 0.01");
+  return value;
+}
 
 /// Where solutions of the reference are kept between runs.
 void add_store(CLI::App* command, Arguments& arguments) {
@@ -79,11 +94,14 @@ int main(int argc, char** argv) {
 
   const auto store = [&] { return arguments.no_store ? wetfront::verification::ReferenceStore{} : arguments.store; };
 
-  auto* run = add("run", "mesh -> reference -> MPM -> comparison -> report",
-                  [&] { return commands::run(arguments.scenes, arguments.out, store()); });
+  auto* run = add("run", "mesh -> reference -> MPM -> comparison -> report", [&] {
+    return commands::run(arguments.scenes, arguments.out, {store(), fraction(arguments.accuracy)});
+  });
   add_scenes(run, arguments);
   run->add_option("--out", arguments.out, "output folder (default out/<scene>; with several scenes the folder above)");
 
+  run->add_option("--accuracy", arguments.accuracy,
+                  "refine cells and time steps of the MPM until its own estimated error is within this, e.g. 1%");
   add_store(run, arguments);
 
   add_scenes(add("explain", "effects and what called for them, columns, step limits, cost; runs nothing",

@@ -71,7 +71,7 @@ std::map<std::filesystem::path, std::filesystem::path> folders_for(const Paths& 
 
 }  // namespace
 
-int run(const Paths& scenes, const std::filesystem::path& out, const ReferenceStore& store) {
+int run(const Paths& scenes, const std::filesystem::path& out, const RunOptions& options) {
   const auto folder_of = folders_for(scenes, out);
   std::vector<Scene> read;  // all of them before any is run: a typo in the last must not cost the first
   for (const auto& path : scenes) read.push_back(read_scene(path));
@@ -79,7 +79,7 @@ int run(const Paths& scenes, const std::filesystem::path& out, const ReferenceSt
   std::vector<std::filesystem::path> done;
   for (const Scene& scene : read) {
     const auto& folder = folder_of.at(scene.path);
-    const RunResult result = run_scene(scene, folder, store);
+    const RunResult result = run_scene(scene, folder, options);
     fmt::print("{}: {}, {:.2f} CPU-s (MPM {:.2f}) -> {}\n", result.record.case_name, word(result.record.verdict),
                result.record.cpu_seconds, result.candidate.history.cpu_seconds, (folder / "report.html").string());
     for (const std::string& reason : why_given_up(result)) fmt::print(stderr, "  gave up: {}\n", reason);

@@ -217,6 +217,8 @@ std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const 
     }
     all.push_back(error_profile(histories, timeline));
   }
+  if (!std::holds_alternative<Column>(scene.geometry.shape))
+    for (Figure& picture : plane_comparison(histories)) all.push_back(std::move(picture));
   Figure gauges = gauge_figure();
   add_gauges(gauges, histories.reference, "reference", Series::Style::line);
   add_gauges(gauges, histories.candidate, "MPM", Series::Style::dashed);

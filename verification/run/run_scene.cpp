@@ -8,6 +8,7 @@
 #include "verification/present/figures.h"
 #include "verification/present/plan_text.h"
 #include "verification/present/reference_error_table.h"
+#include "verification/present/side_table.h"
 #include "verification/present/tables.h"
 #include "verification/run/progress.h"
 #include "verification/run/provenance.h"
@@ -17,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 namespace wetfront::verification {
@@ -49,6 +51,31 @@ reports::Record start_record(const Prepared& prepared) {
   return record;
 }
 
+/// What the search for the accuracy found, and at what cost.
+void add_accuracy(reports::Record& record, const AccurateCandidate& candidate) {
+  record.log.push_back("MPM: " + candidate.summary);
+  reports::Finding finding;
+  finding.quantity = "own_error";
+  finding.description = "the MPM's own error, estimated from its last refinement, against the accuracy asked for";
+  finding.unit = "1";
+  finding.error = candidate.estimate;
+  finding.tolerance = candidate.accuracy;
+  finding.reason = "asked for";
+  finding.verdict = candidate.reached ? reports::Verdict::pass : reports::Verdict::fail;
+  finding.cpu_s = candidate.solved.history.cpu_seconds;
+  record.findings.push_back(finding);
+  record.verdict = overall(record.findings);
+  reports::Table table{"Runs on the way to the accuracy",
+                       "Cost",
+                       "Change: largest relative L2 change of pressure against the run before.",
+                       {"run", "change [%]", "CPU [s]"},
+                       {}};
+  for (const AccuracyTry& run : candidate.tries)
+    table.rows.push_back({run.resolution, std::isfinite(run.change) ? fmt::format("{:.3g}", 100 * run.change) : "-",
+                          fmt::format("{:.3g}", run.cpu_seconds)});
+  record.tables.push_back(std::move(table));
+}
+
 /// Compares and judges; what a solver that gave up left behind is compared as far as it goes.
 void compare_into(reports::Record& record, const Prepared& prepared, RunResult& result) {
   const Histories histories = histories_of(result.candidate.history, *result.reference);
@@ -58,6 +85,10 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   record.figures = figures(prepared.scene, prepared.timeline, histories, measurements);
   record.tables.push_back(ledger_table("reference", histories.reference,
                                        ledger_area(prepared.scene, histories.reference.mesh), prepared.timeline));
+  if (!histories.candidate.sides.empty()) {
+    record.tables.push_back(side_table("MPM", histories.candidate, prepared.timeline));
+    record.tables.push_back(side_table("reference", histories.reference, prepared.timeline));
+  }
   record.tables.push_back(reference_error_table(measurements));
   for (const auto& [name, solved] : result.reference->all()) record.tables.push_back(cost_table(name, solved->history));
 }
@@ -88,7 +119,9 @@ Solved solve_candidate(const mpm::Problem<2>& problem) {
   }
 }
 
-RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store) {
+namespace {
+
+RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const AccurateCandidate* refined) {
   RunResult result;
   result.record = start_record(prepared);
   reports::Record& record = result.record;
@@ -96,16 +129,27 @@ RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store) {
     result.reference = solve_references(prepared.scene, prepared.timeline, store);
     for (const auto& [name, solved] : result.reference->all()) note_solver(record, name, *solved);
   }
-  result.candidate = solve_candidate(prepared.problem);
+  result.candidate = refined ? refined->solved : solve_candidate(prepared.problem);
   note_solver(record, "MPM", result.candidate);
   if (result.reference)
     compare_into(record, prepared, result);
   else
     record.figures = figures_of_one(prepared.scene, result.candidate.history, "MPM");
+  if (refined) add_accuracy(record, *refined);
   add_candidate_tables(record, prepared, result.candidate.history);
   result.exit = exit_for(record.verdict);
   if (!why_given_up(result).empty()) result.exit = Exit::gave_up;
   return result;
+}
+
+}  // namespace
+
+RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store) {
+  return run_with(prepared, store, nullptr);
+}
+
+RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store, const AccurateCandidate& candidate) {
+  return run_with({prepared.scene, prepared.timeline, candidate.problem}, store, &candidate);
 }
 
 std::vector<std::string> why_given_up(const RunResult& result) {
@@ -117,10 +161,13 @@ std::vector<std::string> why_given_up(const RunResult& result) {
   return reasons;
 }
 
-RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const ReferenceStore& store) {
+RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options) {
   const Prepared prepared = prepare(scene);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
-  RunResult result = run_prepared(prepared, store);
+  const double accuracy = options.accuracy > 0 ? options.accuracy : scene.mpm.accuracy;
+  RunResult result = accuracy > 0
+                         ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))
+                         : run_prepared(prepared, options.store);
   reports::write_result(result.record, folder);
   auto files = field_files(result.candidate.history, "mpm");
   if (result.reference)

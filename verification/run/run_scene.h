@@ -4,6 +4,7 @@
 #include "reports/record.h"
 #include "verification/compare/measure.h"
 #include "verification/run/solve_reference.h"
+#include "verification/run/solve_to_accuracy.h"
 #include "verification/scene/scene.h"
 #include "verification/translate/timeline.h"
 
@@ -37,6 +38,8 @@ struct RunResult {
   std::optional<ReferenceRuns> reference;  ///< absent in a scene that has none
 };
 RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store = {});
+/// The same with a candidate that was refined to an accuracy; `prepared.problem` is not solved.
+RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store, const AccurateCandidate& candidate);
 
 /// Log lines and CPU seconds of one solver into the record.
 void note_solver(reports::Record& record, const std::string& who, const Solved& solved);
@@ -44,8 +47,12 @@ void note_solver(reports::Record& record, const std::string& who, const Solved& 
 /// One sentence per solver that gave up.
 std::vector<std::string> why_given_up(const RunResult& result);
 
+struct RunOptions {
+  ReferenceStore store{};
+  double accuracy = 0;  ///< overrules the scene's; 0: as the scene says
+};
 /// Runs a scene and leaves report.html, result.json, CSV, fields and the exact scene in `folder`.
-RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const ReferenceStore& store);
+RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options);
 
 /// A name for the scene's output folder: the file's stem, or its folder's name for ".../NAME/scene.toml".
 std::string case_name(const std::filesystem::path& scene);

@@ -15,6 +15,8 @@ const std::vector<Quantity>& quantities() {
       {"saturation_linf", "1", Per::time, false, "the same, largest difference over largest reference value"},
       {"front_position", "m", Per::time, false, "elevation of the wetting front"},
       {"cumulative_infiltration", "1", Per::time, false, "rain taken by the soil since the start"},
+      {"side_inflow", "1", Per::time, false,
+       "net inflow through each side since the start, largest difference over the largest inflow of the reference"},
       {"ponding_time", "1", Per::run, false, "when the soil first refuses rain"},
       {"filling_time", "1", Per::run, true, "when the soil is full, against storage deficit over rain"},
       {"arrival_time", "1", Per::probe, false, "when the pressure at a probe exceeds 0.2 kPa"},
