@@ -1,4 +1,5 @@
 #include "mpm/laws/soil_water.h"
+#include "mpm/two_velocity/blow_up.h"
 #include "mpm/two_velocity/content.h"
 #include "mpm/two_velocity/two_velocity.h"
 
@@ -12,8 +13,10 @@ template <int dim>
 void TwoVelocityLiquid<dim>::add_mass_balance(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
   const Column& volume = plan.require_on_points("volume");
+  blow_up_ = std::make_unique<BlowUp<dim>>(plan, w);
   // From here to the end of the step the column "liquid velocity" holds v_l - v_s.
-  plan.add(Phase::strain, "Darcy flux", [&w] {
+  plan.add(Phase::strain, "Darcy flux", [&w, watch = blow_up_.get()] {
+    watch->remember();
     for (std::size_t i = 0; i < w.flux->size(); ++i) {
       const Vector<dim> solid = w.skeleton->velocity(i);
       for (int a = 0; a < dim; ++a) {
@@ -21,6 +24,7 @@ void TwoVelocityLiquid<dim>::add_mass_balance(StagePlan<dim>& plan) {
         (*w.flux)[a][i] = (*w.content)[0][i] * (*w.velocity)[a][i];
       }
     }
+    watch->examine();
   });
   const auto take = [this, &w, &plan, &volume](const Block& block, double outflow) {
     const double change = -plan.clock.dt * outflow / w.cells.volume[block.cell];
@@ -60,16 +64,17 @@ void TwoVelocityLiquid<dim>::add_pressure(StagePlan<dim>& plan) {
     const Soil& soil = plan.problem.soils[r];
     with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
       const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
-      const auto find = [this, &w, law, K = plan.problem.water->bulk_modulus](const Block& block) {
+      const auto find = [this, &plan, &w, law, K = plan.problem.water->bulk_modulus](const Block& block) {
         double sum = 0;
         for (std::size_t q = block.first; q < block.first + block.count; ++q) sum += (*point_water_)[0][q];
         w.cells.water[block.cell] = sum;
         const double p = law.pressure_of(sum / w.cells.pores[block.cell]);
         // Water compressed by a tenth or drawn to half its density: no soil is there, the scheme has blown up.
         if (!(p < 0.1 * K && p > -0.5 * K))
-          throw StepFailed("the two-velocity scheme has blown up: cell " + std::to_string(block.cell) + " holds " +
+          throw StepFailed("the two-velocity scheme has blown up: cell " + std::to_string(block.cell) + " at " +
+                           place_text<dim>(w.cells.centre[block.cell]) + " holds " +
                            std::to_string(sum / w.cells.pores[block.cell]) +
-                           " of its pores, which no pressure explains. Use a smaller step_safety");
+                           " of its pores, which no pressure explains" + step_against_limit<dim>(plan, w));
         w.cells.pressure[block.cell] = p;
       };
       plan.add_over_blocks(w.pressures_in, "pressure of cells [" + soil.name + "]", static_cast<int>(r), find);

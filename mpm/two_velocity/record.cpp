@@ -1,5 +1,6 @@
 #include "mpm/laws/soil_water.h"
 #include "mpm/record/water_ledger.h"
+#include "mpm/seepage/soil_content.h"
 #include "mpm/two_velocity/content.h"
 #include "mpm/two_velocity/two_velocity.h"
 
@@ -15,12 +16,6 @@ namespace {
 
 double sum(const Column& column) {
   return std::accumulate(column.values().begin(), column.values().end(), 0.0);
-}
-
-/// Content of a node of `seepage` per pore volume: compressible above p = 0 only (its own storage term).
-template <class Curve>
-double seepage_content(const Curve& curve, double bulk_modulus, double p) {
-  return curve.saturation(-p) * (p > 0 ? 1 + p / bulk_modulus : 1);
 }
 
 }  // namespace
@@ -42,13 +37,17 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
   for (std::size_t r = 0; r < plan.problem.soils.size(); ++r)
     with_soil_water(plan.problem.soils[r], *plan.problem.water, [&](const auto& laws) {
       const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
+      // The very content that seepage balanced, table and all.
+      const SoilContent of_seepage(plan.problem.soils[r],
+                                   tabulated_soil_water(plan.problem.soils[r], *plan.problem.water).curve,
+                                   plan.problem.water->bulk_modulus);
       for (const Block& block : points.blocks(static_cast<int>(r))) {
         const auto weights = centre_weights(plan, block);
         double pressure = 0, content = 0;
         for (int i = 0; i < cell_nodes<dim>; ++i) {
           const double p = (*water_->pressure)[0][block.nodes[i]];
           pressure += weights[i] * p;
-          content += weights[i] * seepage_content(laws.curve, plan.problem.water->bulk_modulus, p);
+          if (after_seepage) content += weights[i] * of_seepage.at(p).value;
         }
         if (!after_seepage) content = law.value(pressure);
         for (std::size_t q = block.first; q < block.first + block.count; ++q)

@@ -76,11 +76,11 @@ void TwoVelocityLiquid<dim>::add_pressure_limit(StagePlan<dim>& plan) {
                                std::string(Drag::limit) +
                                    ", r = nS mu/(k k_rel rho_l), w^2 = K nS/(C rho_l), C = nS/K_l + n dS/dp, K <= "
                                    "4/h^2 of the cell matrices",
-                               [&points = plan.fields.points, r, of_cell] {
+                               [&points = plan.fields.points, &w, r, of_cell] {
                                  double least = std::numeric_limits<double>::infinity();
                                  for (const Block& block : points.blocks(static_cast<int>(r)))
                                    least = std::min(least, of_cell(block));
-                                 return least;
+                                 return w.limit_of_soil[r] = least;
                                });
     });
   }
@@ -89,6 +89,7 @@ void TwoVelocityLiquid<dim>::add_pressure_limit(StagePlan<dim>& plan) {
 template <int dim>
 void TwoVelocityLiquid<dim>::add_limits(StagePlan<dim>& plan) {
   find_stiffness(plan);
+  water_->limit_of_soil.assign(plan.problem.soils.size(), std::numeric_limits<double>::infinity());
   if (plan.stage.liquid == LiquidScheme::explicit_drag)
     add_pressure_limit<ExplicitDrag>(plan);
   else

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm/two_velocity/water.h"
+#include "mpm/two_velocity/blow_up.h"
 
 #include <functional>
 #include <string>
@@ -54,6 +54,7 @@ class TwoVelocityLiquid : public Effect<dim> {
   Column* point_velocity_ = nullptr;       ///< v_l
   Column* steps_ = nullptr;                ///< the last dt
   std::function<void()> content_, from_points_, forces_;
+  std::unique_ptr<BlowUp<dim>> blow_up_;
   std::string hand_over_;        ///< a sentence for the log
   double hand_over_change_ = 0;  ///< m^dim
 };

@@ -65,8 +65,9 @@ struct TwoVelocityWater {
   ImpermeableWalls<dim> walls;
   TwoVelocityCells<dim> cells;
   std::unique_ptr<SkeletonAtNodes<dim>> skeleton;
-  std::vector<double> stiffness;  ///< per cell, w^2 = stiffness nS/(C rho_l) [1/m2] (README.md section 6)
-  double mapping = 1;             ///< drag's share in the step limit, b there [-]
+  std::vector<double> stiffness;      ///< per cell, w^2 = stiffness nS/(C rho_l) [1/m2] (README.md section 6)
+  std::vector<double> limit_of_soil;  ///< the step limit last found, for messages [s]
+  double mapping = 1;                 ///< drag's share in the step limit, b there [-]
   /// When the pressures of cells and nodes are found: step VI and VII where points rest; once points have moved to
   /// their new cells (IX) where they do not.
   Phase pressures_in = Phase::pressure, conductivities_in = Phase::saturation;
