@@ -42,7 +42,8 @@ struct HardCase {
   double budget = 4;  ///< CPU seconds per entry
   /// Against the yardstick, at the end of the run. May be called several times, with different ends.
   std::function<std::vector<Reading>(const mpm::Problem<2>&, const meshes::FieldHistory&)> judge;
-  bool invalid = false;  ///< the scene makes no sense: every scheme has to refuse it
+  bool invalid = false;       ///< the scene makes no sense: every scheme has to refuse it
+  bool undetermined = false;  ///< nor does it have one solution: a scheme may refuse it
 };
 
 /// The case's page: one finding per entry and bound, the quantity being the scheme; a table of all entries.

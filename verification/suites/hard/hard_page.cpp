@@ -20,6 +20,7 @@ const Gate energy_gate{1e-2, "1",
 bool refusal_is_fair(const HardCase& test, const HardEntry& entry) {
   if (test.invalid) return !entry.too_expensive;
   if (entry.too_expensive) return may_be_too_expensive(entry.scheme);
+  if (test.undetermined) return true;
   return entry.scheme != HardScheme::bdf2 && entry.scheme != HardScheme::backward_euler;
 }
 
@@ -33,6 +34,9 @@ void judge(CaseBook& book, const HardCase& test, const HardEntry& entry) {
   if (entry.outcome == Outcome::failed) return fail(book, entry, "stopped");
   if (entry.outcome == Outcome::refused) {
     if (!refusal_is_fair(test, entry)) return fail(book, entry, "refused");
+    if (test.invalid)
+      return book.judge(quantity, quantity + ": refused, as it has to be: " + entry.said, 0,
+                        {0, "failures", "a scene that makes no sense is told so before it starts"});
     return book.show(quantity, quantity + ": refused: " + entry.said, entry.estimate, "s");
   }
   if (test.invalid) return fail(book, entry, "ran a scene that makes no sense");
@@ -47,8 +51,7 @@ void judge(CaseBook& book, const HardCase& test, const HardEntry& entry) {
 }
 
 /// "stable", "FAIL", "refused".
-std::string word(const CaseBook& book, const HardCase& test, const HardEntry& entry) {
-  (void)book;
+std::string word(const HardCase& test, const HardEntry& entry) {
   if (entry.outcome == Outcome::refused) return refusal_is_fair(test, entry) ? "refused" : "FAIL (refused)";
   if (entry.outcome == Outcome::failed) return "FAIL (stopped)";
   if (test.invalid) return "FAIL (ran)";
@@ -58,8 +61,8 @@ std::string word(const CaseBook& book, const HardCase& test, const HardEntry& en
   return sound ? "stable, within bound" : "FAIL (bound)";
 }
 
-std::vector<std::string> row(const CaseBook& book, const HardCase& test, const HardEntry& entry) {
-  const std::string verdict = word(book, test, entry);
+std::vector<std::string> row(const HardCase& test, const HardEntry& entry) {
+  const std::string verdict = word(test, entry);
   if (entry.steps == 0) {
     const std::string cost = entry.too_expensive ? fmt::format("{:.2g} expected", entry.estimate) : "-";
     return {key(entry.scheme), verdict, "-", "-", "-", "-", "-", "-", "-", cost, entry.said};
@@ -96,7 +99,7 @@ Case as_case(const HardCase& test) {
     for (const HardScheme scheme : hard_schemes) {
       const HardEntry entry = run_entry(test, scheme);
       judge(book, test, entry);
-      table.rows.push_back(row(book, test, entry));
+      table.rows.push_back(row(test, entry));
       book.spend(entry.cpu);
     }
     book.tabulate(table);

@@ -87,7 +87,8 @@ double misplaced_water(const HardColumn& column, const meshes::FieldHistory& mpm
     moved = std::max(moved, std::abs(yardstick[k] - start[k]));
   }
   const double cell = column.height / static_cast<double>(mpm.mesh.cell_count());
-  return area / std::max(moved, 1e-12) / cell;
+  // Of less than a millimetre of water the place means little.
+  return area / std::max(moved, 1e-3) / cell;
 }
 
 double pressure_difference(const meshes::FieldHistory& mpm, const meshes::FieldHistory& reference, double driest) {

@@ -116,7 +116,7 @@ HardCase chatter(const std::string& name, const std::string& title, double fract
   column.rain = {{0}, {1.001 * 2.943e-4}};
   column.drains = true;
   if (fraction > 0) column.surface = 0.3 * (19 + fraction) / 20;
-  column.outputs = {1, 1200};
+  column.outputs = {1, 900, 1200};
   HardCase row = column_case({.name = name,
                               .title = title,
                               .requirement = "Ponding that is only just reached begins once.",
