@@ -107,8 +107,8 @@ void climb(const OnPoints& test, CaseBook& book) {
                  fmt::format("relative L2 of the head over the nodes, {} cells, after {}", run.cells,
                              time_text(run.history.snapshots[t].time)),
                  run.error[t], {test.gate.relative_l2, "1", test.gate.reason});
-    vary_points(test, run, book);
   }
+  vary_points(test, ladder.front(), book);
   const Run &coarse = ladder[ladder.size() - 2], &fine = ladder.back();
   book.judge_order("order", fmt::format("observed order between {} and {} cells", coarse.cells, fine.cells),
                    std::log2(coarse.worst() / fine.worst()), test.order);

@@ -16,7 +16,7 @@ struct OnPoints {
   ClosedFormCase::Judged gate;  ///< 4 points per cell
   OrderGate order;              ///< between the two finest meshes
   Effort effort = Effort::quick;
-  std::vector<int> points_per_cell = {1, 9};  ///< tried on the gate's mesh beside 4
+  std::vector<int> points_per_cell = {1, 9};  ///< tried on the coarsest mesh beside 4
   double time_tolerance = 1e-8;               ///< leaves less than a tenth of the error in space
   int reference_cells = 0;
   double reference_tolerance = 1e-7;

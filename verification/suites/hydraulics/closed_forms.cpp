@@ -13,7 +13,7 @@ Case one_layer(double alpha, bool wetting, ClosedFormCase::Judged gate) {
 
 Case two_layers(double lower, double upper, double rain) {
   const ClosedFormCase::Judged gate{1e-3, 200, "gate R3 of the reference, met by the points too"};
-  return as_case(OnPoints{two_layer_case(lower, upper, rain), {100, 200, 400}, gate, second_order});
+  return as_case(OnPoints{two_layer_case(lower, upper, rain), {50, 100, 200}, gate, second_order});
 }
 
 }  // namespace

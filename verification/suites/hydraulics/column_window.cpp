@@ -44,6 +44,22 @@ double ColumnWindow::node_error(const meshes::FieldHistory& history) const {
   return relative_l2(history.snapshots.back().node_pressure, expected, std::vector<double>(expected.size(), 1));
 }
 
+fem_reference::RichardsProblem moist_column(int cells) {
+  auto problem = SeedColumn{1.5e-4}.problem(cells, {1});
+  for (auto& node : problem.mesh.nodes) node[0] *= 0.25;
+  start_from(problem, [](const meshes::Point& at) { return -at[0]; });
+  problem.gauges.clear();
+  problem.output_times = {0, 2};
+  problem.end_time = 2;
+  return problem;
+}
+
+mpm::Problem<2> moist_column(int cells, mpm::LiquidScheme scheme) {
+  mpm::Problem<2> problem = on_points(moist_column(cells));
+  problem.stages[0].liquid = scheme;
+  return problem;
+}
+
 std::string scheme_name(mpm::LiquidScheme scheme) {
   switch (scheme) {
     case mpm::LiquidScheme::seepage:

@@ -34,6 +34,11 @@ class ColumnWindow {
   double seconds_;
 };
 
+/// Explicit drag takes steps of 2e-7 s at 10 kPa of suction; so a low, moist column of the same sand, where it takes
+/// some 1e-5 s: 0.3 m, hydrostatic over its base, 2 s of rain of 1.5e-4 m/s.
+fem_reference::RichardsProblem moist_column(int cells);
+mpm::Problem<2> moist_column(int cells, mpm::LiquidScheme scheme);
+
 std::string scheme_name(mpm::LiquidScheme scheme);
 
 }  // namespace wetfront::verification

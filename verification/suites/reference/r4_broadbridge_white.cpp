@@ -2,6 +2,7 @@
 #include "verification/present/figure_frame.h"
 #include "verification/suites/case_book.h"
 #include "verification/suites/closed_form_case.h"
+#include "verification/suites/reference/broadbridge_white_problem.h"
 #include "verification/suites/reference/families.h"
 #include "verification/suites/series.h"
 #include "verification/suites/setups.h"
@@ -15,11 +16,11 @@ namespace {
 
 namespace fem = fem_reference;
 
-// lambda = 1 m, dtheta = 0.3, Ks = 1e-4 m/s: dimensionless times are in units of 3000 s. The closed form starts at
-// Theta = 0, psi = -infinity; the reference at -1000 m, that is Theta = 1e-3.
-constexpr double c = 1.5, theta_n = 0.1, range = 0.3, conductivity = 1e-4, unit = range / conductivity;
+using namespace broadbridge_white_soil;
 
-fem::RichardsProblem deep_column(double depth, int cells, double flux, const std::vector<double>& times) {
+}  // namespace
+
+fem::RichardsProblem broadbridge_white_column(double depth, int cells, double flux, const std::vector<double>& times) {
   std::vector<double> seconds;
   for (const double t : times) seconds.push_back(t * unit);
   fem::RichardsProblem problem = column(depth, cells, -1000, seconds);
@@ -33,6 +34,8 @@ fem::RichardsProblem deep_column(double depth, int cells, double flux, const std
   return problem;
 }
 
+namespace {
+
 std::vector<double> saturations(const meshes::Snapshot& snapshot) {
   std::vector<double> values;
   for (const double s : snapshot.node_saturation) values.push_back(((theta_n + range) * s - theta_n) / range);
@@ -42,7 +45,7 @@ std::vector<double> saturations(const meshes::Snapshot& snapshot) {
 void surface(CaseBook& book) {
   const double flux = 0.5, depth = 10;
   const exact::BroadbridgeWhite solution(c, flux);
-  const auto problem = deep_column(depth, 500, flux, {0.1, 0.5, 1, 2, 4, 10});
+  const auto problem = broadbridge_white_column(depth, 500, flux, {0.1, 0.5, 1, 2, 4, 10});
   const auto history = book.solve("500 cells", problem);
   reports::Figure figure = figure_frame({"profiles", "Relative content over depth", "Profiles"}, {"Theta", "-"},
                                         {"depth over sorptive length", "-"});
@@ -73,7 +76,7 @@ void ponding(CaseBook& book) {
   reports::Series offered = dashed("offered"), taken = line("taken up");
   double last = 0;
   for (const int cells : {200, 400}) {
-    const auto history = book.solve(fmt::format("{} cells", cells), deep_column(3, cells, flux, {0.5}));
+    const auto history = book.solve(fmt::format("{} cells", cells), broadbridge_white_column(3, cells, flux, {0.5}));
     double before = 0, found = -1;
     for (const auto& row : history.ledger) {
       if (row.run_off > 0 && found < 0) found = before;
