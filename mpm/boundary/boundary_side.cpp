@@ -6,9 +6,7 @@
 
 namespace wetfront::mpm {
 
-namespace {
-
-std::string joined_names(const meshes::Mesh& mesh) {
+std::string side_names(const meshes::Mesh& mesh) {
   std::string text;
   for (const auto& side : mesh.sides) {
     if (!text.empty()) text += ", ";
@@ -16,6 +14,8 @@ std::string joined_names(const meshes::Mesh& mesh) {
   }
   return text.empty() ? "none" : text;
 }
+
+namespace {
 
 /// Integrals of N_i n over one face, oriented by the order of its nodes.
 template <int dim>
@@ -84,7 +84,7 @@ BoundarySide<dim> boundary_side(const StagePlan<dim>& plan, const std::string& n
   const auto side = std::find_if(mesh.sides.begin(), mesh.sides.end(), [&](const auto& s) { return s.name == name; });
   if (side == mesh.sides.end())
     throw CannotPlan(origin + ": " + who + " is asked for on side '" + name +
-                     "', which the mesh does not have. Its sides are " + joined_names(mesh));
+                     "', which the mesh does not have. Its sides are " + side_names(mesh));
   std::vector<std::vector<std::size_t>> cells_at(grid.node_count());
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
     for (int i = 0; i < cell_nodes<dim>; ++i)

@@ -25,6 +25,9 @@ template <int dim>
 BoundarySide<dim> boundary_side(const StagePlan<dim>& plan, const std::string& name, const std::string& who,
                                 const Origin& origin);
 
+/// "'base', 'top'", for messages; "none".
+std::string side_names(const meshes::Mesh& mesh);
+
 /// Unit vector against gravity; the last axis where there is no gravity.
 template <int dim>
 Vector<dim> upward(const Problem<dim>& problem);

@@ -2,8 +2,11 @@
 
 #include "mpm/plan/check_numbers.h"
 #include "mpm/record/probes.h"
+#include "mpm/seepage/free_drainage.h"
+#include "mpm/seepage/held_pressure.h"
+#include "mpm/seepage/periodic.h"
 #include "mpm/seepage/seepage.h"
-#include "mpm/seepage/seepage_boundary.h"
+#include "mpm/seepage/surface_exchange.h"
 #include "mpm/skeleton/elastic_skeleton.h"
 #include "mpm/skeleton/gravity.h"
 #include "mpm/skeleton/rigid_skeleton.h"
@@ -45,6 +48,50 @@ const Origin* first_origin(const Problem<dim>& problem) {
   return nullptr;
 }
 
+/// What passes the film of the surface: "rainfall, evaporation, water level, ..."; empty when nothing does.
+template <int dim>
+std::string exchange_name(const Problem<dim>& problem) {
+  std::vector<std::string> kinds;
+  const auto add = [&kinds](bool there, const char* kind) {
+    if (there && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.emplace_back(kind);
+  };
+  for (const auto& boundary : problem.water_boundary) {
+    const auto* rain = std::get_if<RainSide>(&boundary);
+    add(rain != nullptr, "rainfall");
+    add(rain != nullptr && !rain->evaporation.start.empty(), "evaporation");
+    add(std::holds_alternative<WaterLevelSide>(boundary), "water level");
+    add(std::holds_alternative<FluxSide>(boundary), "flux");
+    const bool held = std::holds_alternative<PressureSide>(boundary) || std::holds_alternative<TotalHeadSide>(boundary);
+    add(held && std::visit([](const auto& b) { return b.side == free_surface; }, boundary), "pressure at the surface");
+  }
+  std::string name;
+  for (const auto& kind : kinds) name += (name.empty() ? "" : ", ") + kind;
+  return name;
+}
+
+/// Held nodes first and ties last: the conditions in between look at the former, the latter at both.
+template <int dim>
+void join_water_boundaries(StagePlan<dim>& plan, const std::shared_ptr<NodalWater<dim>>& water) {
+  const Problem<dim>& problem = plan.problem;
+  for (const auto& boundary : problem.water_boundary) {
+    check_condition(boundary);
+    for (double time : breaks_of(boundary)) plan.add_break(time);
+  }
+  const Origin *held = first_origin<PressureSide>(problem), *head = first_origin<TotalHeadSide>(problem);
+  if (held != nullptr || head != nullptr)
+    plan.join(std::make_unique<HeldPressure<dim>>(held != nullptr ? *held : *head, water));
+  if (const std::string name = exchange_name(problem); !name.empty()) {
+    const auto first = std::find_if(problem.water_boundary.begin(), problem.water_boundary.end(), exchanges);
+    const auto& origin_of = first != problem.water_boundary.end() ? *first : problem.water_boundary.front();
+    plan.join(std::make_unique<SurfaceExchange<dim>>(
+        name, std::visit([](const auto& b) { return b.origin; }, origin_of), water));
+  }
+  if (const Origin* origin = first_origin<FreeDrainageSide>(problem))
+    plan.join(std::make_unique<FreeDrainage<dim>>(*origin, water));
+  if (const Origin* origin = first_origin<PeriodicSides>(problem))
+    plan.join(std::make_unique<Periodic<dim>>(*origin, water));
+}
+
 template <int dim>
 void join_seepage(StagePlan<dim>& plan) {
   const Problem<dim>& problem = plan.problem;
@@ -52,18 +99,9 @@ void join_seepage(StagePlan<dim>& plan) {
     throw CannotPlan(plan.stage.origin + ": stage '" + plan.stage.name +
                      "' moves water by seepage through an elastic skeleton (the coupling of the two is not there yet; "
                      "it comes with issue 4). Leave the elastic law out, or use the scheme implicit-drag");
-  for (const auto& boundary : problem.water_boundary)
-    if (boundary.index() > 2)
-      throw CannotPlan(std::visit([](const auto& b) { return b.origin + ": side '" + b.side; }, boundary) +
-                       "': this condition is not there yet");
   auto water = std::make_shared<NodalWater<dim>>();
   plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, *plan.stage.liquid, water));
-  if (const Origin* origin = first_origin<RainSide>(problem))
-    plan.join(std::make_unique<RainOnSeepage<dim>>(*origin, water));
-  if (const Origin* origin = first_origin<FreeDrainageSide>(problem))
-    plan.join(std::make_unique<FreeDrainage<dim>>(*origin, water));
-  if (const Origin* origin = first_origin<PressureSide>(problem))
-    plan.join(std::make_unique<HeldPressure<dim>>(*origin, water));
+  join_water_boundaries(plan, water);
 }
 
 template <int dim>

@@ -39,6 +39,16 @@ bool all_finite(std::span<const double> values) {
   return sum[0] + sum[1] + sum[2] + sum[3] == 0.0;
 }
 
+/// x lies above the line, which is level beyond its ends.
+bool above(const std::vector<meshes::Point>& line, const meshes::Point& x) {
+  if (line.empty()) return false;
+  std::size_t k = 0;
+  while (k < line.size() && line[k][0] < x[0]) ++k;
+  if (k == 0 || k == line.size()) return x[1] > (k == 0 ? line.front() : line.back())[1];
+  const double part = (x[0] - line[k - 1][0]) / (line[k][0] - line[k - 1][0]);
+  return x[1] > line[k - 1][1] + part * (line[k][1] - line[k - 1][1]);
+}
+
 /// Total heads times rho g [Pa] that the scene can produce.
 template <int dim>
 struct HeadRange {
@@ -118,8 +128,10 @@ RunGuard<dim>::RunGuard(const StagePlan<dim>& plan, Spent cpu, double steps_expe
   constexpr double least = 1000;  // Pa; the range may be zero
   slack_ = least + 0.5 * range.spread();
   for (std::size_t i = 0; i < problem.mesh.node_count(); ++i) {
-    highest_.push_back(range.highest - range.potential(i));
-    lowest_.push_back(range.lowest - range.potential(i));
+    // Above a surface inside cells a node has no soil around it: its pressure continues the gradient there, no more.
+    const bool outside = above(problem.surface, problem.mesh.nodes[i]);
+    highest_.push_back(outside ? infinity : range.highest - range.potential(i));
+    lowest_.push_back(outside ? -infinity : range.lowest - range.potential(i));
   }
   energy_per_water_ = range.spread();
 }

@@ -55,7 +55,9 @@ void Seepage<dim>::prepare(StagePlan<dim>& plan) {
           (*columns_.pore_volume)[static_cast<int>(region)][block.nodes[i]] +=
               plan.problem.soils[region].porosity * volume[0][q] * value[i][q];
     }
+  water_->ties.add_couplings(couplings);
   water_->matrix = std::make_unique<SparseSystem>(static_cast<int>(plan.fields.grid.node_count()), couplings);
+  water_->ties.prepare(*water_->matrix, couplings);
   slots_.assign(plan.fields.grid.cell_count() * n * n, -1);
   for (const Block& block : points.blocks())
     for (int i = 0; i < n; ++i)

@@ -71,6 +71,7 @@ void SeepageStep<dim>::predict(const Formula& formula) {
   for (std::size_t i = 0; i < start_.size(); ++i)
     trial[i] = start_[i] = w.last * p[i] + w.before * before[i] + w.earlier * earlier[i];
   for (const auto& held : water_.held) trial[held.node] = held.pressure;
+  water_.ties.copy_pressure(trial);
 }
 
 template <int dim>
@@ -95,6 +96,7 @@ double SeepageStep<dim>::residual(const Bdf2Weights& weights, double dt) {
     const auto k = static_cast<std::size_t>(i);
     balance_[k] = -(weights.now * now[k] + weights.last * last[k] + weights.before * before[k] - dt * inflow[k]);
   }
+  water_.ties.sum_balance(balance_);
   for (const auto& held : water_.held) balance_[static_cast<std::size_t>(held.node)] = 0;
   double worst = 0;
   for (int i : active_) {
@@ -113,6 +115,7 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
     for (double& value : water_.matrix->values()) value *= -dt;
     const double* capacity = (*water_.capacity)[0];
     for (int i : active_) water_.add_slope(i, weights.now * capacity[i]);
+    water_.ties.sum_rows(*water_.matrix);
     for (std::size_t i = 0; i < pore_volume_.size(); ++i)
       if (!(pore_volume_[i] > 0)) water_.matrix->make_identity_row(static_cast<int>(i));
     for (const auto& held : water_.held) water_.matrix->make_identity_row(held.node);
@@ -134,6 +137,7 @@ bool SeepageStep<dim>::line_search(const Bdf2Weights& weights, double dt) {
   double length = 1;
   for (int k = 0; k < most_backtracks; ++k, length /= 2) {
     for (std::size_t i = 0; i < start_.size(); ++i) trial[i] = start_[i] + length * update_[i];
+    for (const auto& limit : water_.limits) limit(start_, trial);
     residuals_.push_back(residual(weights, dt));
     if (residuals_.back() <= (1 - 1e-4 * length) * before || residuals_.back() <= stalled_tolerance) return true;
   }
@@ -160,6 +164,7 @@ template <int dim>
 double SeepageStep<dim>::first_step() {
   std::ranges::copy(c_.pressure->values(), water_.trial->values().begin());
   for (const auto& held : water_.held) (*water_.trial)[0][held.node] = held.pressure;
+  water_.ties.copy_pressure((*water_.trial)[0]);
   water_.dt = plan_.stage.end_time - plan_.begin_time();
   evaluate();
   double step = plan_.stage.end_time - plan_.begin_time();
@@ -176,11 +181,13 @@ void SeepageStep<dim>::run() {
   double dt = clock.dt;
   if (clock.broken) {
     (*c_.steps)[step_history][0] = 0;
+    for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + smallest_step);
     dt = std::min(dt, first_step());
   }
   const double tolerance = plan_.stage.time_tolerance;
   while (true) {
     const Formula f = formula(dt);
+    for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + dt);
     predict(f);
     double factor = 0.5;
     if (newton(f.weights, dt)) {
@@ -211,12 +218,13 @@ void SeepageStep<dim>::accept(const Formula& f, double dt) {
   // What a held node needs beyond the flow through the soil comes in through the boundary.
   for (const auto& held : water_.held) {
     const auto i = static_cast<std::size_t>(held.node);
-    (*water_.outflow)[0][i] += (*water_.inflow)[0][i] - (w.now * now[i] + w.last * last[i] + w.before * before[i]) / dt;
+    const double out = (*water_.inflow)[0][i] - (w.now * now[i] + w.last * last[i] + w.before * before[i]) / dt;
+    (*water_.outflow)[0][i] += out;
+    if (held.condition >= 0) water_.add_to_side(held.condition, side_outflow, out);
   }
   for (auto& sum : water_.cumulative) {
-    const double* rate = (*sum.rate)[0];
-    double *total = (*sum.total)[0], *earlier = (*sum.before)[0];
-    for (std::size_t i = 0; i < start_.size(); ++i) {
+    const auto rate = sum.rate->values(), total = sum.total->values(), earlier = sum.before->values();
+    for (std::size_t i = 0; i < rate.size(); ++i) {
       const double next = (dt * rate[i] - w.last * total[i] - w.before * earlier[i]) / w.now;
       earlier[i] = total[i];
       total[i] = next;
