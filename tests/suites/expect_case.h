@@ -1,5 +1,7 @@
 #pragma once
 
+#include "verification/suites/case_book.h"
+#include "verification/suites/hydraulics/hydraulics_suite.h"
 #include "verification/suites/reference_suite.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +20,9 @@ inline void expect_pass(const Case& test) {
         << finding.explanation;
 }
 
-inline std::vector<Case> cases_up_to(Effort most) {
+inline std::vector<Case> cases_up_to(Effort most, std::vector<Case> suite) {
   std::vector<Case> cases;
-  for (Case& test : reference_suite())
+  for (Case& test : suite)
     if (test.effort <= most) cases.push_back(std::move(test));
   return cases;
 }

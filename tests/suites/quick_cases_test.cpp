@@ -1,4 +1,4 @@
-// Every case of the reference's suite that takes less than a second.
+// Every case of the suites that takes less than a second.
 #include "tests/suites/expect_case.h"
 
 namespace wetfront::verification {
@@ -10,7 +10,10 @@ TEST_P(SuiteCase, Passes) {
   expect_pass(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Reference, SuiteCase, ::testing::ValuesIn(cases_up_to(Effort::quick)), case_name);
+INSTANTIATE_TEST_SUITE_P(Reference, SuiteCase, ::testing::ValuesIn(cases_up_to(Effort::quick, reference_suite())),
+                         case_name);
+INSTANTIATE_TEST_SUITE_P(Hydraulics, SuiteCase, ::testing::ValuesIn(cases_up_to(Effort::quick, hydraulics_suite())),
+                         case_name);
 
 }  // namespace
 }  // namespace wetfront::verification

@@ -125,7 +125,7 @@ void ponding(CaseBook& book) {
 std::vector<Case> broadbridge_white_water_cases() {
   const std::string source = "Broadbridge & White 1988, WRR 24:145.";
   return {{"broadbridge_white", "Broadbridge-White, C = 1.5, flux 0.5 Ks",
-           "Content follows the closed form of a strongly nonlinear soil.", source, Effort::everyday, profiles},
+           "Content follows the closed form of a strongly nonlinear soil.", source, Effort::quick, profiles},
           {"broadbridge_white_ponding", "Broadbridge-White, C = 1.5, ponding under 2 Ks",
            "Run-off begins when the closed form says.", source, Effort::quick, ponding}};
 }

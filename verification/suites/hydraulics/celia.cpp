@@ -44,7 +44,7 @@ std::vector<Case> celia_water_cases() {
   mexico.reference_tolerance = 1e-6;
   mexico.effort = Effort::heavy;
   return {{"celia_sand", "Celia, sand, 360 s", "Haverkamp's sand wets as the converged table says.", source,
-           Effort::everyday, [](CaseBook& book) { tables(celia_sand, 160, 1e-5, judge_celia_sand, book); }},
+           Effort::quick, [](CaseBook& book) { tables(celia_sand, 160, 1e-5, judge_celia_sand, book); }},
           {"celia_new_mexico", "Celia, New Mexico soil, 24 h", "A dry column wets as the converged table says.", source,
            Effort::everyday, [](CaseBook& book) { tables(celia_new_mexico, 400, 1e-4, judge_celia_new_mexico, book); }},
           as_case(mexico)};

@@ -15,7 +15,7 @@ struct OnPoints {
   std::vector<int> ladder;      ///< cells, each twice the one before; instead of the reference's
   ClosedFormCase::Judged gate;  ///< 4 points per cell
   OrderGate order;              ///< between the two finest meshes
-  Effort effort = Effort::quick;
+  Effort effort = Effort::everyday;
   std::vector<int> points_per_cell = {1, 9};  ///< tried on the coarsest mesh beside 4
   double time_tolerance = 1e-8;               ///< leaves less than a tenth of the error in space
   int reference_cells = 0;

@@ -145,7 +145,8 @@ std::vector<Case> column_cases() {
   for (const Column& column : columns)
     cases.push_back({name_of(column.rain), fmt::format("The paper's column, rain {:g} m/s", column.rain),
                      "Front, ponding and pressure as Richards' equation has them, with both S_min.", source,
-                     Effort::everyday, [column](CaseBook& book) { column_case(column, book); }});
+                     column.rain > seed_conductivity ? Effort::everyday : Effort::quick,
+                     [column](CaseBook& book) { column_case(column, book); }});
   for (const double rain : {3e-5, 1.5e-4})
     cases.push_back({name_of(rain) + "_order", fmt::format("The paper's column, rain {:g} m/s, order in h", rain),
                      "The error falls with the square of the cell size between 80, 160 and 320 cells.", source,

@@ -90,17 +90,17 @@ std::vector<Case> scheme_cases() {
   const std::string source = "The paper's column, S_min 0.87; the reference gives the start and the yardstick.";
   const std::string requirement = "Inertia of the water changes nothing: every scheme follows Richards' equation.";
   const std::vector<LiquidScheme> schemes = {LiquidScheme::semi_implicit, LiquidScheme::implicit_drag};
-  return {{"schemes_30", "Schemes over a window, rain 3e-5 m/s", requirement, source, Effort::everyday,
+  return {{"schemes_30", "Schemes over a window, rain 3e-5 m/s", requirement, source, Effort::quick,
            [=](CaseBook& book) {
              compare(ColumnWindow({3e-5, 0.87}, 0.25, 0.345, book), 20, schemes, book);
            }},
-          {"schemes_150", "Schemes over a window, rain 1.5e-4 m/s", requirement, source, Effort::everyday,
+          {"schemes_150", "Schemes over a window, rain 1.5e-4 m/s", requirement, source, Effort::quick,
            [=](CaseBook& book) {
              compare(ColumnWindow({1.5e-4, 0.87}, 0.25, 0.41, book), 40, schemes, book);
            }},
           {"schemes_explicit", "Explicit drag against implicit over 2 s, rain 1.5e-4 m/s",
            "The paper's own scheme and the one that replaces it give the same pressures.", "The paper's sand, moist.",
-           Effort::everyday, explicit_drag}};
+           Effort::quick, explicit_drag}};
 }
 
 }  // namespace wetfront::verification
