@@ -99,7 +99,8 @@ SampledLaw mualem_like(const Soil& soil, const Law& law) {
                      "another retention curve. Use another permeability law");
   const VanGenuchten curve(*spec);
   SampledLaw result = scaled_to_one_at(spec->cut_off, [law, curve](double s) { return law(curve, s); });
-  if (!(spec->cut_off > 0)) result.top = law(curve, 0).value;  // below 1 for the variant fed with S, S_max < 1
+  // Fed with S, S_max < 1, Mualem's formula stays below 1 at saturation: the limit, so that k does not jump there.
+  if (!(spec->cut_off > 0)) result.top = law(curve, 1e-12 * spec->air_entry).value;
   return result;
 }
 

@@ -42,10 +42,11 @@ class TabulatedCurve {
 
 class TabulatedPermeability {
  public:
-  // First piece 1 Pa, a tenth of a millimetre of water: with n < 2 Mualem's slope is unbounded at saturation (n = 1.1:
-  // half of k within 0.01 Pa), which no Newton step passes; there the table is a cubic with a continuous slope. For
-  // the seed paper's sand the first pascal takes 4e-6 of k.
-  explicit TabulatedPermeability(const SampledLaw& law) : table_(std::make_shared<const LogTable>(law, 0)) {}
+  // First piece 1 Pa, a tenth of a millimetre of water: for the seed paper's sand it holds 4e-6 of k. Where the law
+  // leaves saturation with an unbounded slope (Mualem with n < 2; n = 1.1: half of k within 0.01 Pa) it is 8 Pa: the
+  // cubic that replaces the law there is what a Newton step can pass (mpm/README.md section 4).
+  explicit TabulatedPermeability(const SampledLaw& law)
+      : table_(std::make_shared<const LogTable>(law, leaves_top_steeply(law) ? 3 : 0)) {}
 
   ValueAndSlope at(double s) const { return table_->at(s); }
   /// Kirchhoff's integral of k_rel from s to the dry end [Pa].
@@ -56,6 +57,12 @@ class TabulatedPermeability {
   }
 
  private:
+  /// A law with a bounded slope loses a thousandth of what it loses over 1 Pa within the first millipascal.
+  static bool leaves_top_steeply(const SampledLaw& law) {
+    const auto loss = [&law](double x) { return law.top - law.at(law.origin + x).value; };
+    return loss(1e-3) > 2e-3 * loss(1);
+  }
+
   std::shared_ptr<const LogTable> table_;
 };
 

@@ -180,7 +180,9 @@ void SeepageStep<dim>::run() {
   Clock& clock = plan_.clock;
   double dt = clock.dt;
   if (clock.broken) {
-    (*c_.steps)[step_history][0] = 0;
+    // Pressures may jump at a break (at once where water cannot be compressed): neither the step that holds the jump nor
+    // the one behind it is measured against an extrapolation.
+    (*c_.steps)[step_history][0] = -1;
     for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + smallest_step);
     dt = std::min(dt, first_step());
   }

@@ -25,11 +25,11 @@ struct SparseSystem::Implementation {
   }
 
   bool solve_iteratively(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
-    // A Newton direction this exact costs no extra Newton iteration; ILUT keeps about the fill of the matrix's own
+    // A Newton direction this exact costs no extra Newton iteration; ILUT keeps about half the fill of the matrix's own
     // rows.
-    iterative.preconditioner().setDroptol(1e-4);
-    iterative.preconditioner().setFillfactor(10);
-    iterative.setTolerance(1e-10);
+    iterative.preconditioner().setDroptol(1e-3);
+    iterative.preconditioner().setFillfactor(5);
+    iterative.setTolerance(1e-8);
     iterative.setMaxIterations(500);
     iterative.compute(matrix);
     if (iterative.info() != Eigen::Success) return false;

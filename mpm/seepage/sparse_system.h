@@ -27,7 +27,7 @@ class SparseSystem {
   std::string method() const;
 
   /// Above this many unknowns the fill of a direct solver costs more than some tens of iterations.
-  static constexpr int direct_limit = 20000;
+  static constexpr int direct_limit = 3000;
 
  private:
   struct Implementation;
