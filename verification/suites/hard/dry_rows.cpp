@@ -48,7 +48,11 @@ HardCase clay_row(const std::string& name, const std::string& title, double cut_
                       .ends = {5 * day, 60},
                       .seepage_until = 1 * day,
                       .cells_off = 1,
-                      .reason = one_cell});
+                      .reason = cut_off > 0 ? one_cell
+                                            : "without a cut-off the uptake depends on the mesh: the reference takes "
+                                              "20, 38 and 42 mm in 5 d on 40, 160 and 640 cells. A cell beyond what "
+                                              "it misplaces itself on these cells",
+                      .known_to_own_change = cut_off == 0});
 }
 
 /// The same dimensionless infiltration (rain at half of ks, time in pore fillings) at any conductivity.

@@ -1,7 +1,5 @@
 #include "verification/suites/hard/free_energy.h"
 
-#include "mpm/laws/soil_water.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,12 +27,8 @@ double energy(const mpm::Problem<2>& problem, const meshes::Snapshot& shot) {
   double sum = 0;
   for (std::size_t c = 0; c < problem.mesh.cell_count(); ++c) {
     const mpm::Soil& soil = problem.soils[static_cast<std::size_t>(problem.mesh.region[c])];
-    const auto law = mpm::saturation_of(soil, *problem.water);
     const double pores = soil.porosity * area_of(problem.mesh, c);
-    const auto content = [&](double p) {
-      const double storage = p > 0 && std::isfinite(problem.water->bulk_modulus) ? p / problem.water->bulk_modulus : 0;
-      return law(p) * (1 + storage);
-    };
+    const auto content = [&](double p) { return water_content(soil, *problem.water, p); };
     if (shot.cells_hold_averages) {
       const double p = shot.cell_pressure[c];
       sum += pores * (weight * problem.mesh.cell_centre(c)[1] * content(p) + capillary_energy(soil, *problem.water, p));
@@ -69,10 +63,23 @@ double outflow_energy(const mpm::Problem<2>& problem, double surface) {
 
 }  // namespace
 
+double saturation(const mpm::Soil& soil, double pressure) {
+  const auto& curve = std::get<mpm::VanGenuchtenRetention>(*soil.retention);
+  const auto effective = [&curve](double suction) {
+    return std::pow(1 + std::pow(suction / curve.air_entry, 1 / (1 - curve.lambda)), -curve.lambda);
+  };
+  const double suction = -pressure;
+  const double part = suction <= curve.cut_off ? 1 : effective(suction) / effective(curve.cut_off);
+  return curve.s_min + (curve.s_max - curve.s_min) * part;
+}
+
+double water_content(const mpm::Soil& soil, const mpm::Water& water, double pressure) {
+  return saturation(soil, pressure) * (1 + std::max(pressure, 0.0) / water.bulk_modulus);
+}
+
 double capillary_energy(const mpm::Soil& soil, const mpm::Water& water, double pressure) {
-  const auto law = mpm::saturation_of(soil, water);
-  if (pressure >= 0)
-    return std::isfinite(water.bulk_modulus) ? law(0) * pressure * pressure / (2 * water.bulk_modulus) : 0;
+  const double full = saturation(soil, 0);
+  if (pressure >= 0) return full * pressure * pressure / (2 * water.bulk_modulus);
   // integral of p dS = integral of S ds - s S(s), Simpson's rule in u = ln s.
   const double s = -pressure, low = std::log(std::min(1e-3, s)), high = std::log(s);
   constexpr int parts = 200;
@@ -80,9 +87,9 @@ double capillary_energy(const mpm::Soil& soil, const mpm::Water& water, double p
   const double step = (high - low) / parts;
   for (int k = 0; k <= parts; ++k) {
     const double x = std::exp(low + k * step);
-    sum += (k == 0 || k == parts ? 1 : k % 2 == 1 ? 4 : 2) * x * law(-x) * step / 3;
+    sum += (k == 0 || k == parts ? 1 : k % 2 == 1 ? 4 : 2) * x * saturation(soil, -x) * step / 3;
   }
-  return law(0) * std::exp(low) + sum - s * law(-s);
+  return full * std::exp(low) + sum - s * saturation(soil, -s);
 }
 
 double free_energy_growth(const mpm::Problem<2>& problem, const meshes::FieldHistory& history) {

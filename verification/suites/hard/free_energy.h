@@ -14,7 +14,14 @@ namespace wetfront::verification {
 /// the surface, what leaves through a side takes p + rho g z with it.
 double free_energy_growth(const mpm::Problem<2>& problem, const meshes::FieldHistory& history);
 
-/// Water per pore volume of one soil over pressure, and the energy that it takes: integral of p dS from 0 [Pa].
+/// The van Genuchten curve of a soil of these suites: S of a pressure, by a formula of its own (the solvers have
+/// theirs, and tables). Throws std::bad_variant_access for another curve.
+double saturation(const mpm::Soil& soil, double pressure);
+
+/// Volume of water per pore volume: S, and what p > 0 compresses.
+double water_content(const mpm::Soil& soil, const mpm::Water& water, double pressure);
+
+/// Energy that it takes to fill a pore volume from p = 0 [Pa]: integral of p dS.
 double capillary_energy(const mpm::Soil& soil, const mpm::Water& water, double pressure);
 
 }  // namespace wetfront::verification

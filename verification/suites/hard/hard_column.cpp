@@ -1,12 +1,9 @@
 #include "verification/suites/hard/hard_column.h"
 
-#include "mpm/laws/soil_water.h"
 #include "verification/suites/box_mesh.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
 
 namespace wetfront::verification {
 namespace {

@@ -155,7 +155,7 @@ double difference(const mpm::State& a, const mpm::State& b) {
 HardCase cut() {
   HardColumn column;
   column.height = 0.1;
-  column.cells = 10;
+  column.cells = 5;
   column.soils = {{.s_min = 0.87}};
   column.pressure = [](double) { return -1000.0; };
   column.rain = {{0, 4}, {2 * 2.943e-4, 3 * 2.943e-4}};
@@ -166,7 +166,8 @@ HardCase cut() {
                               .source = "the uncut run",
                               .column = column,
                               .ends = {12, 0.5}});
-  row.judge = [](const mpm::Problem<2>& problem, const meshes::FieldHistory& history) {
+  row.judge = [](mpm::Problem<2> problem, const meshes::FieldHistory& history) {
+    problem.cpu_budget = 0;  // one run was within it, these are two
     const long half = static_cast<long>(history.counters.at("steps")) / 2;
     mpm::Simulation<2> whole(problem);
     for (long k = 0; k < half; ++k) whole.step();
