@@ -14,6 +14,8 @@ namespace {
 
 /// A level that rises past a piece inside a cell wets it over this part of the cell: below the error of any mesh.
 constexpr double wetting_height = 0.01;
+/// Shorter ones are not steps but the look ahead from which the first step after a break is chosen.
+constexpr double shortest_step = 1.5e-9;  // s
 /// Demand fades out over this part of the least pressure (plus 1 Pa) below it.
 constexpr double fading = 1e-4;
 
@@ -67,6 +69,12 @@ void SurfaceExchange<dim>::add_outlets(StagePlan<dim>& plan, int condition) {
     const auto is_held = [&outlet](const auto& h) { return outlet.piece < 0 && h.node == outlet.node[0]; };
     if (std::any_of(water_->held.begin(), water_->held.end(), is_held)) continue;  // a held pressure wins
     Site& site = site_of(outlet);
+    for (int i = 0; i < outlet.count; ++i) {
+      double along = 0;
+      for (int a = 0; a < dim; ++a)
+        along += outlet.area[a] * (plan.fields.grid.node(outlet.node[i])[a] - outlet.centre[a]);
+      site.beyond[static_cast<std::size_t>(i)] = outlet.piece >= 0 && along > 0;
+    }
     if (held) site.held = condition;
     if (std::holds_alternative<WaterLevelSide>(entry)) site.level = condition;
     if (!held)
@@ -85,6 +93,7 @@ void SurfaceExchange<dim>::collect(StagePlan<dim>& plan) {
 template <int dim>
 void SurfaceExchange<dim>::set_time(const StagePlan<dim>& plan, double begin, double end) {
   const auto& conditions = plan.problem.water_boundary;
+  starting_ = end - begin < shortest_step;
   std::vector<Weather> weather;
   std::vector<double> value, middle;  // level or total head [m], pressure [Pa]
   for (const auto& condition : conditions) {
@@ -142,7 +151,7 @@ typename SurfaceExchange<dim>::Flow SurfaceExchange<dim>::flow(const Site& site,
   Flow flow;
   const double film = site.outlet.film * site.outlet.size;
   if (site.wetted > 0) {
-    const double held = site.wetted * film;
+    const double held = site.wetted * film * (starting_ ? 1 / film_conductance : 1);
     flow.through_water = flow.inflow = held * (site.outside - p);
     flow.slope = -held;
   }
@@ -192,6 +201,7 @@ void SurfaceExchange<dim>::add_flows() {
     const Flow f = flow(site, outlet.at(trial));
     const auto n = static_cast<std::size_t>(outlet.count);
     for (std::size_t i = 0; i < n; ++i) {
+      if (starting_ && site.wetted > 0 && site.beyond[i]) continue;
       (*water_->inflow)[0][outlet.node[i]] += outlet.weight[i] * f.inflow;
       for (std::size_t j = 0; j < n; ++j)
         matrix[static_cast<std::size_t>(site.slots[i * n + j])] += outlet.weight[i] * outlet.weight[j] * f.slope;

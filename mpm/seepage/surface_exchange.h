@@ -37,6 +37,9 @@ class SurfaceExchange : public Effect<dim> {
     std::vector<Catchment> catchments;
     int level = -1, held = -1;  ///< conditions
     std::array<int, cell_nodes<dim> * cell_nodes<dim>> slots{};
+    /// Nodes beyond the surface: the sliver of pores there follows a held pressure at once, so that the first step
+    /// after a break is not chosen by it.
+    std::array<bool, cell_nodes<dim>> beyond{};
     double offered = 0, demanded = 0, least_pressure = 0;  ///< m^dim/s, Pa
     double outside = 0;                                    ///< p in the water in front, or given [Pa]
     double wetted = 0;                                     ///< part that is under water, or where p is given [-]
@@ -58,6 +61,8 @@ class SurfaceExchange : public Effect<dim> {
 
   std::shared_ptr<NodalWater<dim>> water_;
   std::vector<Site> sites_;
+  /// A first step is being chosen: by what the soil takes, K_s/h, and not by how fast a film reaches a held pressure.
+  bool starting_ = false;
   Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr;  ///< rates
 };
 

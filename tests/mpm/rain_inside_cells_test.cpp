@@ -102,6 +102,8 @@ TEST(RainInsideCells, PondsWithoutOvershoot) {
     EXPECT_LT(most, 1) << f;
     expect_delivery(history);
     EXPECT_GT(history.ledger.back().run_off, 0.1 * history.ledger.back().rain_asked);
+    EXPECT_LT(std::abs(history.ledger.back().outflow),
+              1e-6 * history.ledger.back().rain_asked);  // what is refused ran off
     // The same share is refused as at an aligned surface, to the error of this mesh.
     const auto share = [](const meshes::FieldHistory& h) {
       return h.ledger.back().run_off / h.ledger.back().rain_asked;
@@ -109,6 +111,32 @@ TEST(RainInsideCells, PondsWithoutOvershoot) {
     EXPECT_NEAR(share(history), share(aligned), 0.02) << f;
     std::printf("f = %.2f: highest surface pressure %.3g Pa, refused %.4f (aligned %.4f)\n", f, most, share(history),
                 share(aligned));
+  }
+}
+
+TEST(RainInsideCells, PressuresAndLevelsActThereToo) {
+  const double time = 300;
+  const auto with = [&](double f, const WaterBoundary& condition) {
+    Problem<2> problem = column(f, cells, 0, time);
+    problem.water_boundary = {condition};
+    return run<2>(problem);
+  };
+  const WaterLevelSide level{free_surface, {{0, 150}, {height + 0.1, height + 0.2}}, {}, "o"};
+  WaterLevelSide level_on_top = level;
+  level_on_top.side = "top";
+  const auto held = with(1, PressureSide{"top", 500, "o"}), flooded = with(1, level_on_top);
+  for (double f : fills) {
+    const auto cut = with(f, PressureSide{free_surface, 500, "o"});
+    EXPECT_NEAR(at(cut, height), 500, 10) << f;  // the film's share of the drop over a cell, 1e-3 of a suction of 6 kPa
+    // Water taken up per width, against the same with the surface on a face.
+    const auto taken = [](const meshes::FieldHistory& h) { return -h.ledger.back().outflow / h.mesh.nodes[1][0]; };
+    EXPECT_NEAR(taken(cut) / taken(held), 1, 0.01) << f;
+    const auto under_water = with(f, level);
+    EXPECT_NEAR(at(under_water, height), 9810 * 0.2, 10) << f;
+    EXPECT_NEAR(taken(under_water) / taken(flooded), 1, 0.01) << f;
+    const auto &first = cut.ledger.front(), &last = cut.ledger.back();
+    EXPECT_NEAR(last.stored - first.stored, -last.outflow, 1e-8 * std::abs(last.outflow));
+    EXPECT_NEAR(cut.sides[0].outflow.back(), last.outflow, 1e-12);
   }
 }
 
