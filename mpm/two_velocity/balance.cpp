@@ -39,7 +39,37 @@ void TwoVelocityLiquid<dim>::add_mass_balance(StagePlan<dim>& plan) {
       const double content = w.cells.water[block.cell] / w.cells.volume[block.cell];
       take(block, content * w.cells.flow_out(block, *w.velocity));
     });
+  if (w.surface) add_rain_on_cut_surface(plan);
   add_pressure(plan);
+}
+
+/// Step VI for the cells behind a free surface: rain, and what does not fit.
+template <int dim>
+void TwoVelocityLiquid<dim>::add_rain_on_cut_surface(StagePlan<dim>& plan) {
+  TwoVelocityWater<dim>& w = *water_;
+  const Column& volume = plan.require_on_points("volume");
+  auto first = std::make_shared<std::vector<Block>>(plan.fields.grid.cell_count());
+  for (const Block& block : plan.fields.points.blocks()) (*first)[block.cell] = block;
+  const auto held = [this, first](std::size_t cell) {
+    const Block& block = (*first)[cell];
+    double sum = 0;
+    for (std::size_t q = block.first; q < block.first + block.count; ++q) sum += (*point_water_)[0][q];
+    return sum;
+  };
+  const auto change = [this, &w, &volume, first](std::size_t cell, double water) {
+    const Block& block = (*first)[cell];
+    for (std::size_t q = block.first; q < block.first + block.count; ++q)
+      (*point_water_)[0][q] += water * volume[0][q] / w.cells.volume[cell];
+  };
+  Column& outflow = plan.require_on_nodes("outflow");
+  plan.add(Phase::pressure, "free surface", [&w, &plan, &outflow, held, change] {
+    w.surface->rain(w, plan.clock.time, plan.clock.dt, held, change);
+    for (const auto& piece : w.surface->pieces()) {
+      const int* nodes = plan.fields.grid.cell_nodes_of(piece.cell);
+      for (int i = 0; i < cell_nodes<dim>; ++i)
+        outflow[0][nodes[i]] += piece.weight[static_cast<std::size_t>(i)] * piece.seeped;
+    }
+  });
 }
 
 /// Step VI: the pressure of a cell is the inverse of its water content. Where points move, the cells are summed anew
@@ -87,6 +117,8 @@ void TwoVelocityLiquid<dim>::add_pressure(StagePlan<dim>& plan) {
 
 template void TwoVelocityLiquid<2>::add_mass_balance(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_mass_balance(StagePlan<3>&);
+template void TwoVelocityLiquid<2>::add_rain_on_cut_surface(StagePlan<2>&);
+template void TwoVelocityLiquid<3>::add_rain_on_cut_surface(StagePlan<3>&);
 template void TwoVelocityLiquid<2>::add_pressure(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_pressure(StagePlan<3>&);
 

@@ -10,6 +10,7 @@ TwoVelocityCells<dim>::TwoVelocityCells(const Grid<dim>& grid)
       pores(grid.cell_count()),
       water(grid.cell_count()),
       pressure(grid.cell_count()),
+      mobility(grid.cell_count()),
       share(grid.cell_count()),
       gradient(grid.cell_count()),
       faces(grid.cell_count()),

@@ -78,13 +78,14 @@ void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
   const std::size_t nodes = plan.fields.grid.node_count();
   if (moving_ != nullptr) add_pull_on_skeleton(plan);
   const Vector<dim> weight = liquid_weight(plan);
-  forces_ = [&w, &points, weight, nodes] {
+  forces_ = [&w, &plan, &points, weight, nodes] {
     for (int a = 0; a < dim; ++a)
       for (std::size_t i = 0; i < nodes; ++i) (*w.force)[a][i] = weight[a] * (*w.volume)[0][i];
     for (const Block& block : points.blocks())
       for (int i = 0; i < cell_nodes<dim>; ++i)
         for (int a = 0; a < dim; ++a)
           (*w.force)[a][block.nodes[i]] += w.cells.pressure[block.cell] * w.cells.gradient[block.cell][i][a];
+    if (w.surface) w.surface->push(w, plan.clock.time);
   };
   plan.add(Phase::accelerate, "liquid forces", forces_);
   const bool as_paper = plan.stage.liquid == LiquidScheme::explicit_drag;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace wetfront::mpm {
 
@@ -15,19 +16,37 @@ PressureOperator<dim>::PressureOperator(const StagePlan<dim>& plan, const TwoVel
     for (std::size_t q = block.first; q < block.first + block.count; ++q)
       for (int i = 0; i < cell_nodes<dim>; ++i)
         for (int j = 0; j < cell_nodes<dim>; ++j) m[i][j] += volume[0][q] * shape[i][q] * shape[j][q];
-    double diagonal = 0;
-    for (int i = 0; i < cell_nodes<dim>; ++i) {
-      Vector<dim> in = water.cells.gradient[block.cell][i], out = water.cells.faces[block.cell][i];
-      water.walls.project(static_cast<std::size_t>(block.nodes[i]), in);
-      water.walls.project(static_cast<std::size_t>(block.nodes[i]), out);
-      double product = 0;
-      for (int a = 0; a < dim; ++a) product += in[a] * out[a];
-      diagonal += std::abs(product) / (*water.volume)[0][block.nodes[i]];
-    }
-    diagonal_.push_back(diagonal / water.cells.volume[block.cell]);
   }
   for (auto* list : {&node_, &mapped_, &sum_}) list->resize(plan.fields.grid.node_count());
-  outflow_.resize(diagonal_.size());
+  outflow_.resize(mass_.size());
+}
+
+/// A_cc, a disturbed cell alone, with or without mapping.
+template <int dim>
+void PressureOperator<dim>::scale_by(Scale scale) {
+  diagonal_.clear();
+  const auto blocks = plan_.fields.points.blocks();
+  std::map<std::pair<int, int>, double> mass;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (int i = 0; i < cell_nodes<dim>; ++i)
+      for (int j = 0; j < cell_nodes<dim>; ++j) mass[{blocks[b].nodes[i], blocks[b].nodes[j]}] += mass_[b][i][j];
+  for (const Block& block : blocks) {
+    auto in = water_.cells.gradient[block.cell], out = water_.cells.faces[block.cell];
+    for (auto* list : {&in, &out})
+      for (int i = 0; i < cell_nodes<dim>; ++i) {
+        for (double& component : (*list)[i]) component /= (*water_.volume)[0][block.nodes[i]];
+        water_.walls.project(static_cast<std::size_t>(block.nodes[i]), (*list)[i]);
+      }
+    double diagonal = 0;
+    for (int i = 0; i < cell_nodes<dim>; ++i)
+      for (int j = 0; j < cell_nodes<dim>; ++j)
+        for (int a = 0; a < dim; ++a) {
+          const double volume = i == j ? (*water_.volume)[0][block.nodes[i]] : 0.0;
+          diagonal +=
+              out[i][a] * in[j][a] * (scale == Scale::mapped ? mass.at({block.nodes[i], block.nodes[j]}) : volume);
+        }
+    diagonal_.push_back(std::max(0.0, diagonal) / water_.cells.volume[block.cell]);
+  }
 }
 
 /// Nodes to points and back, and to the walls: mapped_ = P M node_, then both hold it.
@@ -39,6 +58,11 @@ void PressureOperator<dim>::map() {
     for (int i = 0; i < cell_nodes<dim>; ++i)
       for (int j = 0; j < cell_nodes<dim>; ++j)
         for (int a = 0; a < dim; ++a) mapped_[blocks[b].nodes[i]][a] += mass_[b][i][j] * node_[blocks[b].nodes[j]][a];
+  for (const auto& [i, normal] : water_.unmapped) {
+    double missing = 0;
+    for (int a = 0; a < dim; ++a) missing += ((*water_.volume)[0][i] * node_[i][a] - mapped_[i][a]) * normal[a];
+    for (int a = 0; a < dim; ++a) mapped_[i][a] += missing * normal[a];
+  }
   node_.swap(mapped_);
   project();
 }

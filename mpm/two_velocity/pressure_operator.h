@@ -19,7 +19,11 @@ class PressureOperator {
   /// What mapping does to a mode m in [0, 1] of M: M itself without drag, M/(2 - M) where drag rules
   /// (README.md section 6).
   enum class Drag { none, ruling };
-  /// A number k_c per cell with A <= diag(k) [1/m2]: the diagonal without mapping, scaled by the largest eigenvalue
+  /// What the bound of a cell is in proportion to: its diagonal entry, with mapping (the sharper one among full cells)
+  /// or without (the sharper one where a sliver decides).
+  enum class Scale { mapped, unmapped };
+  void scale_by(Scale scale);
+  /// A number k_c per cell with A <= diag(k) [1/m2]: the scale chosen before, times the largest eigenvalue
   /// that the whole mesh leaves (power iteration). A bound for any C and nS that vary from cell to cell.
   std::vector<double> bound(Drag drag);
 

@@ -45,6 +45,14 @@ void RainOnTwoVelocity<dim>::collect(const StagePlan<dim>& plan) {
   for (const auto& boundary : plan.problem.water_boundary) {
     const auto* rain = std::get_if<RainSide>(&boundary);
     if (rain == nullptr) continue;
+    if (rain->side == free_surface) {
+      if (!water_->surface)
+        throw CannotPlan(rain->origin +
+                         ": rain falls on the free surface, but the problem has no surface in its cells. "
+                         "Give it one, or name a side of the mesh");
+      rains_.push_back(*rain);
+      continue;
+    }
     const auto side = boundary_side(plan, rain->side, "rainfall", rain->origin);
     const auto areas = open_areas(side, plan.problem, *rain);
     for (std::size_t k = 0; k < side.nodes.size(); ++k) {
@@ -73,6 +81,7 @@ void RainOnTwoVelocity<dim>::collect(const StagePlan<dim>& plan) {
                        "the rained side include all faces at that node");
     for (double& component : node.along) component /= open;
     nodes_.push_back(node);
+    water_->unmapped.emplace_back(index, node.normal);
   }
 }
 
@@ -159,11 +168,28 @@ void RainOnTwoVelocity<dim>::book(double time, double dt) {
     (*run_off_)[0][node.index] += (rate(node, time) - taken) * dt;
     (*outflow_)[0][node.index] += std::max(node.flux, 0.0) * node.area * dt;
   }
+  if (water_->surface) book_pieces();
+}
+
+/// Rain on pieces of the free surface, to the nodes by the weights of the piece.
+template <int dim>
+void RainOnTwoVelocity<dim>::book_pieces() {
+  for (const auto& piece : water_->surface->pieces())
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      const double weight = piece.weight[static_cast<std::size_t>(i)];
+      const int node = grid_->cell_nodes_of(piece.cell)[i];
+      (*on_pieces_)[0][node] += weight * piece.asked;
+      (*imposed_)[0][node] += weight * piece.taken;
+      (*run_off_)[0][node] += weight * (piece.asked - piece.taken);
+    }
 }
 
 template <int dim>
 void RainOnTwoVelocity<dim>::fill_ledger(double time) {
-  asked_->fill(0);
+  if (water_->surface)
+    std::ranges::copy(on_pieces_->values(), asked_->values().begin());
+  else
+    asked_->fill(0);
   for (const Node& node : nodes_) {
     for (const auto& [rain, area] : node.rains)
       (*asked_)[0][node.index] += area * meshes::depth_until(rains_[rain].rain, time);
@@ -184,6 +210,8 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
   outflow_ = &plan.require_on_nodes("outflow");
   ledger_ = &plan.require_on_run("water ledger");
   plan.require_on_points("liquid velocity");
+  if (water_->surface) on_pieces_ = &plan.provide_on_nodes({"rain asked of pieces", "Q_rain", volume});
+  grid_ = &plan.fields.grid;
   collect(plan);
   for (const RainSide& rain : rains_)
     for (double start : rain.rain.start) plan.add_break(start);

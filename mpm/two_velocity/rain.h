@@ -40,6 +40,7 @@ class RainOnTwoVelocity : public Effect<dim> {
   void surface_state();
   void anticipate(double time);
   void book(double time, double dt);
+  void book_pieces();
   void fill_ledger(double time);
   double rate(const Node& node, double time) const;
   /// (v_l - v_s).n
@@ -49,7 +50,8 @@ class RainOnTwoVelocity : public Effect<dim> {
   std::vector<RainSide> rains_;
   std::vector<Node> nodes_;
   Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr, *outflow_ = nullptr;
-  Column *ponded_ = nullptr, *ledger_ = nullptr;
+  Column *ponded_ = nullptr, *ledger_ = nullptr, *on_pieces_ = nullptr;
+  const Grid<dim>* grid_ = nullptr;
 };
 
 }  // namespace wetfront::mpm

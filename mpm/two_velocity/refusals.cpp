@@ -74,12 +74,20 @@ void TwoVelocityLiquid<dim>::refuse_what_it_cannot_do(const StagePlan<dim>& plan
     throw CannotPlan(problem.water->origin + ": the water is incompressible, but " + who +
                      " (pressure waves would be infinitely fast: no step is short enough). Give it a bulk modulus, or "
                      "use the scheme seepage or semi-implicit");
+  if (problem.rain_scheme != RainScheme::standard)
+    throw CannotPlan(plan.stage.origin + ": a named variant of the rain boundary is asked for, but " + who +
+                     " (which has the standard one only). Use rain scheme standard");
+  for (const Soil& soil : problem.soils)
+    if (soil.bishop != Bishop::saturation && soil.elastic)
+      throw CannotPlan(soil.origin + ": soil '" + soil.name +
+                       "' has the effective saturation as Bishop's parameter, but " + who +
+                       " (whose pull on the skeleton knows the degree of saturation only)");
   if (!problem.conductivity_factor.empty())
     throw CannotPlan(problem.soils.front().origin + ": the cells have conductivity factors of their own, but " + who +
                      " (it takes the permeability from the soil). Use the scheme seepage");
-  if (!problem.surface.empty())
-    throw CannotPlan(plan.stage.origin + ": the problem has a surface inside cells, but " + who +
-                     " (which does not follow one yet). Fit the mesh to the surface, or use the scheme seepage");
+  if (!problem.surface.empty() && problem.soils.front().elastic)
+    throw CannotPlan(plan.stage.origin + ": the problem has a surface inside cells and an elastic skeleton, but " +
+                     who + " (which follows such a surface only while it rests). Fit the mesh to the surface");
 }
 
 template void TwoVelocityLiquid<2>::refuse_what_it_cannot_do(const StagePlan<2>&) const;

@@ -46,6 +46,7 @@ void TwoVelocityLiquid<dim>::add_state(StagePlan<dim>& plan) {
         std::fill(at_node.begin(), at_node.end(), unknown);
         for (const Block& block : points.blocks(static_cast<int>(r))) {
           const double cell = conductivity(w.cells.pressure[block.cell]);
+          w.cells.mobility[block.cell] = cell;
           for (int i = 0; i < cell_nodes<dim>; ++i) {
             const auto node = static_cast<std::size_t>(block.nodes[i]);
             if (at_node[node] == unknown) at_node[node] = conductivity((*w.pressure)[0][node]);

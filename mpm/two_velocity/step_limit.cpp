@@ -28,12 +28,19 @@ void TwoVelocityLiquid<dim>::find_stiffness(StagePlan<dim>& plan) {
   for (double size : w.cells.size) w.stiffness.push_back(4 / (size * size));
   if (moving_ != nullptr) return;
   plan.at_ready([&plan, &w] {
-    PressureOperator<dim> geometry(plan, w);
-    w.stiffness = geometry.bound(PressureOperator<dim>::Drag::none);
-    const auto dragged = geometry.bound(PressureOperator<dim>::Drag::ruling);
-    // The two bounds differ by one factor for all cells.
-    for (std::size_t c = 0; c < dragged.size(); ++c)
-      if (dragged[c] > 0) w.mapping = w.stiffness[c] / dragged[c];
+    using Geometry = PressureOperator<dim>;
+    Geometry geometry(plan, w);
+    double least = std::numeric_limits<double>::infinity();
+    // Both scales bound; the one that lets the worst cell take the longer step is kept.
+    for (const auto scale : {Geometry::Scale::mapped, Geometry::Scale::unmapped}) {
+      geometry.scale_by(scale);
+      const auto dragged = geometry.bound(Geometry::Drag::ruling);
+      const auto worst = static_cast<std::size_t>(std::max_element(dragged.begin(), dragged.end()) - dragged.begin());
+      if (dragged[worst] >= least) continue;
+      least = dragged[worst];
+      w.stiffness = geometry.bound(Geometry::Drag::none);
+      w.mapping = w.stiffness[worst] / dragged[worst];  // one factor for all cells
+    }
   });
 }
 
@@ -45,7 +52,7 @@ void TwoVelocityLiquid<dim>::add_pressure_limit(StagePlan<dim>& plan) {
     const Soil& soil = plan.problem.soils[r];
     with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
       const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
-      const auto of_cell = [this, &w, law](const Block& block) {
+      const auto of_cell = [this, &plan, &w, law](const Block& block) {
         const std::size_t c = block.cell;
         const TwoVelocityCells<dim>& cells = w.cells;
         double least = std::numeric_limits<double>::infinity(), most = 0, wet = 0, rain = 0;
@@ -60,6 +67,7 @@ void TwoVelocityLiquid<dim>::add_pressure_limit(StagePlan<dim>& plan) {
           }
           rain += (*w.rain_rate)[0][node] * cells.share[c][i] / (*w.volume)[0][node];
         }
+        if (w.surface) rain += w.surface->rain_on(c, plan.clock.time);
         const double pores = cells.pores[c] / cells.volume[c];
         const auto stable = [&](double slope) {
           return Drag::stable_step(least, most, w.mapping, w.stiffness[c] * wet / (pores * slope) / w.density);

@@ -89,7 +89,10 @@ void TwoVelocityLiquid<dim>::join(StagePlan<dim>& plan) {
   const bool fresh = earlier == nullptr || !earlier->allocated();
   provide_columns(plan);
   if (fresh) plan.at_entry([this, &plan] { take_over(plan); });
-  plan.at_ready([this, &plan] { sum_cells(plan); });
+  plan.at_ready([this, &plan] {
+    sum_cells(plan);
+    if (water_->surface) water_->surface->attach(*water_);
+  });
   add_gather(plan);
   add_momentum(plan);
   add_mass_balance(plan);

@@ -29,6 +29,7 @@ class TwoVelocityLiquid : public Effect<dim> {
   void add_momentum(StagePlan<dim>& plan);
   void add_pull_on_skeleton(StagePlan<dim>& plan);
   void add_mass_balance(StagePlan<dim>& plan);
+  void add_rain_on_cut_surface(StagePlan<dim>& plan);
   void add_pressure(StagePlan<dim>& plan);
   void add_state(StagePlan<dim>& plan);
   void refuse_what_it_cannot_do(const StagePlan<dim>& plan) const;

@@ -101,12 +101,13 @@ Vector<dim> share_of_face(const Grid<dim>& grid, const Face<dim>& face, std::siz
 }  // namespace
 
 template <int dim>
-ImpermeableWalls<dim>::ImpermeableWalls(const StagePlan<dim>& plan) {
+ImpermeableWalls<dim>::ImpermeableWalls(const StagePlan<dim>& plan, const CutSurface<dim>* surface) {
   const Grid<dim>& grid = plan.fields.grid;
   const auto rained = rain_faces(plan.problem);
   std::vector<std::vector<Vector<dim>>> groups(grid.node_count());
   for (const auto& [face, cell] : outer_faces(plan)) {
     if (rained.contains(face)) continue;
+    if (surface != nullptr && !surface->wets({face.begin(), face.end()})) continue;
     const Vector<dim> normal = share_of_face(grid, face, cell);
     for (int node : face) {
       auto& at_node = groups[static_cast<std::size_t>(node)];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm/plan/stage_plan.h"
+#include "mpm/two_velocity/cut_surface.h"
 
 #include <vector>
 
@@ -15,7 +15,8 @@ namespace wetfront::mpm {
 template <int dim>
 class ImpermeableWalls {
  public:
-  explicit ImpermeableWalls(const StagePlan<dim>& plan);
+  /// `surface`: where cells are cut; then a face is a wall only where soil touches the border of the mesh.
+  explicit ImpermeableWalls(const StagePlan<dim>& plan, const CutSurface<dim>* surface = nullptr);
 
   /// Removes the forbidden directions from a vector at a node.
   void project(std::size_t node, Vector<dim>& v) const {

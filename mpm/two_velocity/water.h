@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/two_velocity/cut_surface.h"
 #include "mpm/two_velocity/skeleton.h"
 #include "mpm/two_velocity/walls.h"
 
@@ -32,6 +33,7 @@ struct TwoVelocityCells {
   std::vector<double> pores;                                       ///< volume less grains [m^dim]
   std::vector<double> water;                                       ///< sum_p W_p [m^dim]
   std::vector<double> pressure;                                    ///< p_c, the inverse of water/pores [Pa]
+  std::vector<double> mobility;                                    ///< k k_rel(p_c)/mu [m2/(Pa s)]
   std::vector<double> size;                                        ///< smallest altitude [m]
   std::vector<std::array<double, cell_nodes<dim>>> share;          ///< sum_p V_p N_i [m^dim]
   std::vector<std::array<Vector<dim>, cell_nodes<dim>>> gradient;  ///< sum_p V_p dN_i/dx [m^(dim-1)]
@@ -50,7 +52,10 @@ struct TwoVelocityCells {
 template <int dim>
 struct TwoVelocityWater {
   explicit TwoVelocityWater(const StagePlan<dim>& plan)
-      : density(plan.problem.water->density), walls(plan), cells(plan.fields.grid) {}
+      : density(plan.problem.water->density),
+        surface(plan.problem.surface.empty() ? nullptr : std::make_unique<CutSurface<dim>>(plan)),
+        walls(plan, surface.get()),
+        cells(plan.fields.grid) {}
 
   /// Takes from v_l - v_s what the walls forbid.
   void keep_to_walls(std::size_t i, Velocities<dim>& v) const {
@@ -61,13 +66,16 @@ struct TwoVelocityWater {
     skeleton->change_relative(*this, i, change, v);
   }
 
-  double density;  ///< rho_l [kg/m3]
+  double density;                            ///< rho_l [kg/m3]
+  std::unique_ptr<CutSurface<dim>> surface;  ///< null where every cell is full
   ImpermeableWalls<dim> walls;
   TwoVelocityCells<dim> cells;
   std::unique_ptr<SkeletonAtNodes<dim>> skeleton;
   std::vector<double> stiffness;      ///< per cell, w^2 = stiffness nS/(C rho_l) [1/m2] (README.md section 6)
   std::vector<double> limit_of_soil;  ///< the step limit last found, for messages [s]
-  double mapping = 1;                 ///< drag's share in the step limit, b there [-]
+  /// Nodes and directions in which rain restores the velocity after mapping.
+  std::vector<std::pair<std::size_t, Vector<dim>>> unmapped;
+  double mapping = 1;  ///< drag's share in the step limit, b there [-]
   /// When the pressures of cells and nodes are found: step VI and VII where points rest; once points have moved to
   /// their new cells (IX) where they do not.
   Phase pressures_in = Phase::pressure, conductivities_in = Phase::saturation;
