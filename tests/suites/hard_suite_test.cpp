@@ -1,9 +1,9 @@
 // The matrix of hard cases: its quick rows as tests, and that no kind of failure may look like a pass.
+#include "verification/suites/hard/hard_suite.h"
 #include "verification/suites/hard/families.h"
 #include "verification/suites/hard/free_energy.h"
 #include "verification/suites/hard/hard_column.h"
 #include "verification/suites/hard/hard_entry.h"
-#include "verification/suites/hard/hard_suite.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST_P(HardRow, HasNoFailedEntry) {
 
 INSTANTIATE_TEST_SUITE_P(Quick, HardRow,
                          ::testing::Values("dry_sand_1_mpa", "layers_fine_over_coarse", "k_1e_9", "start_above_zero",
-                                           "rain_10_ks", "cut_in_mid_ponding", "thin_cover", "invalid_start"),
+                                           "rain_10_ks", "mesh_border", "invalid_start"),
                          [](const auto& info) { return std::string(info.param); });
 
 HardColumn short_column() {
@@ -50,7 +50,14 @@ HardColumn short_column() {
 }
 
 HardCase short_row() {
-  return column_case({.name = "made_up", .column = short_column(), .ends = {20, 1}, .cells_off = 1, .reason = "-"});
+  return column_case({.name = "made_up",
+                      .title = "-",
+                      .requirement = "-",
+                      .source = "-",
+                      .column = short_column(),
+                      .ends = {20, 1},
+                      .cells_off = 1,
+                      .reason = "-"});
 }
 
 Verdict verdict_of(const HardCase& test) {
@@ -113,7 +120,7 @@ TEST(MisplacedWater, CountsCellsByWhichAFrontLags) {
   // A quarter of the water is missing in a cell 0.4 to 0.6 m above the base: below that the curves agree, above it they
   // differ by a cell's filling over 0.7 m = 3.5 cells, in which the reference holds 4.
   EXPECT_NEAR(lag, 3.5 / 4, 0.02);
-  EXPECT_EQ(misplaced_water(column, reference, reference), 0);
+  EXPECT_NEAR(misplaced_water(column, reference, reference), 0, 1e-12);
 }
 
 TEST(FreeEnergy, SeesWaterThatLiftsItself) {

@@ -47,6 +47,7 @@ HardCase clay_row(const std::string& name, const std::string& title, double cut_
                       .column = clay(cut_off),
                       .ends = {5 * day, 60},
                       .seepage_until = 1 * day,
+                      .budget = 8,
                       .cells_off = 1,
                       .reason = cut_off > 0 ? one_cell
                                             : "without a cut-off the uptake depends on the mesh: the reference takes "

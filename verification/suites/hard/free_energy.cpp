@@ -93,7 +93,7 @@ double capillary_energy(const mpm::Soil& soil, const mpm::Water& water, double p
 }
 
 double free_energy_growth(const mpm::Problem<2>& problem, const meshes::FieldHistory& history) {
-  if (history.snapshots.empty()) return not_known;
+  if (history.snapshots.empty() || !problem.surface.empty()) return not_known;  // cells are summed as full ones
   double top = -std::numeric_limits<double>::infinity();
   for (const auto& node : problem.mesh.nodes) top = std::max(top, node[1]);
   const double surface = problem.water->density * gravity_of(problem) * top;

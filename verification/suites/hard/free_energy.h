@@ -7,7 +7,7 @@ namespace wetfront::verification {
 
 /// How much free energy the water of a rigid soil has gained beyond the work that boundaries did on it, at the worst of
 /// the snapshots, over the energy converted until then; 0 where it has only lost. NaN where boundaries drain freely,
-/// whose work the record does not tell.
+/// whose work the record does not tell, and where the surface cuts cells.
 ///
 /// E = sum over the corners of cells of n V [rho g z S + integral of p dS]; Darcy's flow turns free energy into heat
 /// (dE/dt = work - sum of K |grad H|^2), so that any gain is the scheme's own doing. The rain brings at most rho g z of
