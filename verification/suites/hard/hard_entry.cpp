@@ -74,6 +74,7 @@ void run(const HardCase& test, const mpm::Problem<2>& problem, HardEntry& entry)
   } catch (const mpm::GaveUp& failure) {
     entry.history = failure.partial;
     entry.said = failure.what();
+    entry.outcome = HardEntry::Outcome::failed;  // also after a longer window was refused
   }
   read(test, problem, entry);
 }
@@ -138,6 +139,7 @@ HardEntry run_entry(const HardCase& test, HardScheme scheme) {
   for (const double end : test.ends) {
     const mpm::Problem<2> problem = entry_problem(test, scheme, end);
     entry.end = end;
+    entry.too_expensive = false;
     try {
       check_plan(problem);
       run(test, problem, entry);
