@@ -39,6 +39,7 @@ std::vector<Case> celia_water_cases() {
   mexico.ladder = {50, 100, 200};
   mexico.gate = {0.01, 200, "the front is two cells wide on 200 cells; behind it the error is a tenth of this"};
   mexico.order = {1.0, 2.2, "the start, 6 h, has a front narrower than the cells: between first and second order"};
+  mexico.change_with_points = 0.1;  // 2 cm cells under a front of 1 cm: K bends within the cell
   mexico.reference_cells = 800;
   mexico.time_tolerance = 1e-7;
   mexico.reference_tolerance = 1e-6;

@@ -17,6 +17,7 @@ struct OnPoints {
   OrderGate order;              ///< between the two finest meshes
   Effort effort = Effort::everyday;
   std::vector<int> points_per_cell = {1, 9};  ///< tried on the coarsest mesh beside 4
+  double change_with_points = 0.05;           ///< allowed share by which the error changes from 4 to 9
   double time_tolerance = 1e-8;               ///< leaves less than a tenth of the error in space
   int reference_cells = 0;
   double reference_tolerance = 1e-7;

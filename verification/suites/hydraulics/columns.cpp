@@ -96,7 +96,7 @@ void order(double rain, int finest, CaseBook& book) {
   const std::vector<double> times = {0.25, 0.5, 0.75};
   const auto solve = [&](int cells) {
     mpm::Problem<2> problem = on_points(sand.problem(cells, times));
-    problem.stages[0].time_tolerance = 1e-6;
+    problem.stages[0].time_tolerance = 1e-8;  // at 1e-6 time bends the order from 160 cells on
     return book.solve(fmt::format("{} cells", cells), problem);
   };
   fem::RichardsProblem problem = sand.problem(finest, times);
@@ -150,7 +150,7 @@ std::vector<Case> column_cases() {
   for (const double rain : {3e-5, 1.5e-4})
     cases.push_back({name_of(rain) + "_order", fmt::format("The paper's column, rain {:g} m/s, order in h", rain),
                      "The error falls with the square of the cell size between 80, 160 and 320 cells.", source,
-                     Effort::heavy, [rain](CaseBook& book) { order(rain, 1280, book); }});
+                     Effort::everyday, [rain](CaseBook& book) { order(rain, 1280, book); }});
   return cases;
 }
 

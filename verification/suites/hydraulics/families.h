@@ -13,7 +13,7 @@ std::vector<Case> time_step_cases();                ///< order in dt; BDF2 again
 std::vector<Case> celia_water_cases();              ///< Celia: sand, New Mexico soil
 std::vector<Case> broadbridge_white_water_cases();  ///< profiles, ponding
 std::vector<Case> layer_cases();                    ///< a thousandfold contrast
-std::vector<Case> plane_cases();             ///< sections: the flume, a levee
+std::vector<Case> plane_cases();                    ///< sections: the flume, a levee
 std::vector<Case> surface_cases();                  ///< a surface inside the top cell
 std::vector<Case> slope_cases();                    ///< sloping layers
 std::vector<Case> scheme_cases();                   ///< the schemes against each other over windows
