@@ -149,9 +149,10 @@ void SurfaceExchange<dim>::set_time(const StagePlan<dim>& plan, double begin, do
 template <int dim>
 typename SurfaceExchange<dim>::Flow SurfaceExchange<dim>::flow(const Site& site, double p) const {
   Flow flow;
-  const double film = site.outlet.film * site.outlet.size;
+  // The look ahead asks what the soil would take or give at its own conductance, not what the film could pass.
+  const double film = site.outlet.film * site.outlet.size * (starting_ ? 1 / film_conductance : 1);
   if (site.wetted > 0) {
-    const double held = site.wetted * film * (starting_ ? 1 / film_conductance : 1);
+    const double held = site.wetted * film;
     flow.through_water = flow.inflow = held * (site.outside - p);
     flow.slope = -held;
   }
