@@ -15,6 +15,7 @@ concept RetentionCurve = requires(const Law& law, double s) {
   { law.effective(s) } -> std::convertible_to<double>;  ///< Se = (S - S_min)/(S_max - S_min), Lee 2021 Eq. 6
   { law.effective_slope(s) } -> std::convertible_to<double>;
   { law.pressure_scale() } -> std::convertible_to<double>;  ///< Pa
+  { law.s_min() } -> std::convertible_to<double>;
   { law.s_max() } -> std::convertible_to<double>;
 };
 
@@ -32,6 +33,7 @@ class VanGenuchten {
   double saturation(double s) const { return spec_.s_min + (spec_.s_max - spec_.s_min) * effective(s); }
   double slope(double s) const { return (spec_.s_max - spec_.s_min) * effective_slope(s); }
   double pressure_scale() const { return spec_.air_entry; }
+  double s_min() const { return spec_.s_min; }
   double s_max() const { return spec_.s_max; }
 
   double lambda() const { return spec_.lambda; }
@@ -54,6 +56,7 @@ class ExponentialCurve {
   double saturation(double s) const { return spec_.s_min + (spec_.s_max - spec_.s_min) * effective(s); }
   double slope(double s) const { return (spec_.s_max - spec_.s_min) * effective_slope(s); }
   double pressure_scale() const { return spec_.suction_scale; }
+  double s_min() const { return spec_.s_min; }
   double s_max() const { return spec_.s_max; }
 
  private:

@@ -115,6 +115,7 @@ void Seepage<dim>::join(StagePlan<dim>& plan) {
   plan.at_record([this](double, meshes::FieldHistory& history) {
     history.counters["Newton iterations"] += static_cast<double>(std::exchange(step_->newton_iterations, 0));
     history.counters["rejected steps"] += static_cast<double>(std::exchange(step_->rejected_steps, 0));
+    history.counters["jumps of pressure taken"] += static_cast<double>(std::exchange(step_->jumps_taken, 0));
     history.counters["failed Newton solves"] += static_cast<double>(std::exchange(step_->failed_solves, 0));
   });
 }

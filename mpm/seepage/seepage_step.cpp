@@ -21,6 +21,12 @@ constexpr double most_growth = 2.0, most_shrinkage = 0.2, safety = 0.9;
 // First step after a break: no node's saturation may change by more than this in an explicit step.
 constexpr double first_saturation_change = 1e-4;
 constexpr double smallest_step = 1e-9;  // s
+// Where flow stops at once its momentum presses the harder the shorter the step that holds it: rho g L (w/K_s) tau/dt,
+// tau the time in which drag stops water. Error control asks no shorter ones than this many tau, which leave 1e-4 of
+// the head.
+constexpr double drag_times = 1e4;
+// A matrix whose entries sum to less than this part of its diagonal leaves the level of the pressure open.
+constexpr double undetermined = 1e-13;
 
 }  // namespace
 
@@ -28,6 +34,13 @@ template <int dim>
 SeepageStep<dim>::SeepageStep(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
                               double pressure_scale)
     : plan_(plan), water_(water), c_(columns), pressure_scale_(pressure_scale) {
+  shortest_controlled_ = smallest_step;
+  if (c_.flux != nullptr)
+    for (const Soil& soil : plan.problem.soils) {
+      const Water& water_in_it = *plan.problem.water;
+      const double tau = water_in_it.density * soil.intrinsic_permeability / (water_in_it.viscosity * soil.porosity);
+      shortest_controlled_ = std::max(shortest_controlled_, drag_times * tau);
+    }
   linear_solve_ = &plan.add_iterated(Phase::pressure, "linear solve",
                                      [this] { solved_ = water_.matrix->solve(balance_, update_); });
 }
@@ -118,6 +131,7 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
     water_.ties.sum_rows(*water_.matrix);
     for (std::size_t i = 0; i < pore_volume_.size(); ++i)
       if (!(pore_volume_[i] > 0)) water_.matrix->make_identity_row(static_cast<int>(i));
+    if (water_.held.empty()) pin_open_level();
     for (const auto& held : water_.held) water_.matrix->make_identity_row(held.node);
     ++newton_iterations;
     linear_solve_->run();
@@ -127,6 +141,19 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
     if (largest <= stalled_update * pressure_scale_ && residuals_.back() <= stalled_tolerance) return true;
   }
   return false;
+}
+
+/// A full box of incompressible water without an outlet: fluxes balance at any level of the pressure, and the matrix
+/// has no inverse. One node is kept from moving, which changes nothing where the box is in balance; where water is
+/// pressed into it no solution exists and none is found.
+template <int dim>
+void SeepageStep<dim>::pin_open_level() {
+  double sum = 0, diagonal = 0;
+  for (double value : water_.matrix->values()) sum += value;
+  for (int i : active_)
+    diagonal += std::abs(water_.matrix->values()[static_cast<std::size_t>(water_.matrix->slot(i, i))]);
+  if (std::abs(sum) > undetermined * diagonal) return;
+  water_.add_slope(active_.front(), diagonal / static_cast<double>(active_.size()));
 }
 
 template <int dim>
@@ -180,8 +207,8 @@ void SeepageStep<dim>::run() {
   Clock& clock = plan_.clock;
   double dt = clock.dt;
   if (clock.broken) {
-    // Pressures may jump at a break (at once where water cannot be compressed): neither the step that holds the jump nor
-    // the one behind it is measured against an extrapolation.
+    // Pressures may jump at a break (at once where water cannot be compressed): neither the step that holds the jump
+    // nor the one behind it is measured against an extrapolation.
     (*c_.steps)[step_history][0] = -1;
     for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + smallest_step);
     dt = std::min(dt, first_step());
@@ -196,10 +223,17 @@ void SeepageStep<dim>::run() {
       const double error = local_error(f.predictor) / tolerance;
       factor = std::clamp(safety * std::pow(std::max(error, 1e-12), -1.0 / (f.predictor.order + 1)), most_shrinkage,
                           most_growth);
-      if (error <= 1) {
+      // No step is short enough for a pressure that jumps (the last pore of incompressible soil fills): the shortest
+      // one holds the jump, unmeasured, and history begins anew behind it.
+      const bool jumps = error > 1 && dt * factor < shortest_controlled_;
+      if (error <= 1 || jumps) {
         if (dt < clock.dt) clock.end = clock.time + dt;
         clock.dt = dt;
         accept(f, dt);
+        if (jumps) {
+          (*c_.steps)[step_history][0] = 0;
+          ++jumps_taken;
+        }
         (*c_.steps)[step_proposal][0] = dt * factor;
         return;
       }

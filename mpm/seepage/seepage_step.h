@@ -40,7 +40,7 @@ class SeepageStep {
   void prepare();
   double proposal() const;
 
-  long newton_iterations = 0, rejected_steps = 0, failed_solves = 0;
+  long newton_iterations = 0, rejected_steps = 0, failed_solves = 0, jumps_taken = 0;
 
  private:
   struct Formula {
@@ -52,6 +52,7 @@ class SeepageStep {
   void evaluate();
   double residual(const Bdf2Weights& weights, double dt);  ///< largest |F_i| / pore volume
   bool newton(const Bdf2Weights& weights, double dt);
+  void pin_open_level();
   bool line_search(const Bdf2Weights& weights, double dt);
   double local_error(const StepPredictor& predictor) const;
   void accept(const Formula& formula, double dt);
@@ -63,6 +64,7 @@ class SeepageStep {
   SeepageColumns c_;
   double pressure_scale_;
   Kernel* linear_solve_;
+  double shortest_controlled_;  ///< s: the error of a step this short is taken as it is
   std::vector<double> balance_, update_, start_, pore_volume_;
   std::vector<int> active_;
   std::vector<double> residuals_;  ///< of the present Newton iteration

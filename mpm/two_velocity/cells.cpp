@@ -13,6 +13,7 @@ TwoVelocityCells<dim>::TwoVelocityCells(const Grid<dim>& grid)
       mobility(grid.cell_count()),
       share(grid.cell_count()),
       gradient(grid.cell_count()),
+      hanging(grid.cell_count()),
       faces(grid.cell_count()),
       centre(grid.cell_count()) {
   // Two Gauss points per axis integrate dN/dx det exactly on straight quadrilaterals.
@@ -48,6 +49,17 @@ void TwoVelocityCells<dim>::sum(const Grid<dim>& grid, const PointColumns& point
   pores[c] = volume[c] - grains;
   for (int i = 0; i < cell_nodes<dim>; ++i)
     for (int a = 0; a < dim; ++a) centre[c][a] += share[c][i] / volume[c] * grid.node(block.nodes[i])[a];
+  hanging[c] = {};
+  for (std::size_t q = block.first; q < block.first + block.count; ++q) {
+    double below = 0;  // rho_l g.(x_p - centre)
+    for (int a = 0; a < dim; ++a) {
+      double x = -centre[c][a];
+      for (int i = 0; i < cell_nodes<dim>; ++i) x += points.shape[i][q] * grid.node(block.nodes[i])[a];
+      below += points.weight[a] * x;
+    }
+    for (int i = 0; i < cell_nodes<dim>; ++i)
+      for (int a = 0; a < dim; ++a) hanging[c][i][a] += points.volume[0][q] * points.slope[i * dim + a][q] * below;
+  }
 }
 
 template struct TwoVelocityCells<2>;

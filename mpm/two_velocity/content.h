@@ -41,9 +41,7 @@ template <RetentionCurve Curve>
 class WaterContent {
  public:
   WaterContent(Curve curve, double bulk_modulus)
-      : curve_(std::move(curve)),
-        bulk_modulus_(bulk_modulus),
-        s_min_(curve_.saturation(std::numeric_limits<double>::infinity())) {}
+      : curve_(std::move(curve)), bulk_modulus_(bulk_modulus), s_min_(curve_.s_min()) {}
 
   double value(double p) const { return curve_.saturation(-p) * (1 + p / bulk_modulus_); }
   double slope(double p) const { return value_and_slope(p).slope; }

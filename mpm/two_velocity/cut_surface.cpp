@@ -84,7 +84,10 @@ void CutSurface<dim>::attach(TwoVelocityWater<dim>& water) const {
   std::set<std::size_t> cut;
   for (const Piece& piece : pieces_) cut.insert(piece.cell);
   // Of a cell that is cut only the part with soil has faces: the integral over its points.
-  for (std::size_t c : cut) cells.faces[c] = cells.gradient[c];
+  for (std::size_t c : cut) {
+    cells.faces[c] = cells.gradient[c];
+    cells.hanging[c] = {};  // push() carries the pressure from the centre to the surface
+  }
   for (const Piece& piece : pieces_)
     for (int i = 0; i < cell_nodes<dim>; ++i)
       for (int a = 0; a < dim; ++a) {

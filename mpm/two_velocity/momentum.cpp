@@ -84,7 +84,8 @@ void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
     for (const Block& block : points.blocks())
       for (int i = 0; i < cell_nodes<dim>; ++i)
         for (int a = 0; a < dim; ++a)
-          (*w.force)[a][block.nodes[i]] += w.cells.pressure[block.cell] * w.cells.gradient[block.cell][i][a];
+          (*w.force)[a][block.nodes[i]] +=
+              w.cells.pressure[block.cell] * w.cells.gradient[block.cell][i][a] + w.cells.hanging[block.cell][i][a];
     if (w.surface) w.surface->push(w, plan.clock.time);
   };
   plan.add(Phase::accelerate, "liquid forces", forces_);
@@ -124,9 +125,11 @@ void TwoVelocityLiquid<dim>::add_pull_on_skeleton(StagePlan<dim>& plan) {
     const Soil& soil = plan.problem.soils[r];
     with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
       const auto pull = [&w, &force, laws](const Block& block) {
-        const double p = w.cells.pressure[block.cell], effective = laws.saturation(p) * p;
+        const double p = w.cells.pressure[block.cell], saturation = laws.saturation(p);
         for (int i = 0; i < cell_nodes<dim>; ++i)
-          for (int a = 0; a < dim; ++a) force[a][block.nodes[i]] += effective * w.cells.gradient[block.cell][i][a];
+          for (int a = 0; a < dim; ++a)
+            force[a][block.nodes[i]] +=
+                saturation * (p * w.cells.gradient[block.cell][i][a] + w.cells.hanging[block.cell][i][a]);
       };
       plan.add_over_blocks(Phase::gather, "pore pressure on skeleton [" + soil.name + "]", static_cast<int>(r), pull);
     });

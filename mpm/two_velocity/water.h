@@ -18,6 +18,7 @@ struct TwoVelocityCells {
 
   struct PointColumns {
     const Column &volume, &shape, &slope;
+    Vector<dim> weight;  ///< rho_l g [Pa/m]
   };
   /// Sums over the points of a block with the stencils they have; `grains` is the volume of solid in it [m^dim].
   void sum(const Grid<dim>& grid, const PointColumns& points, const Block& block, double grains);
@@ -37,6 +38,9 @@ struct TwoVelocityCells {
   std::vector<double> size;                                        ///< smallest altitude [m]
   std::vector<std::array<double, cell_nodes<dim>>> share;          ///< sum_p V_p N_i [m^dim]
   std::vector<std::array<Vector<dim>, cell_nodes<dim>>> gradient;  ///< sum_p V_p dN_i/dx [m^(dim-1)]
+  /// sum_p V_p dN_i/dx rho_l g.(x_p - centre) [N]: the push of the pressure that hangs below and above the centre in
+  /// water at rest. Between parallelograms of one row it cancels; without it water in crooked cells never rests.
+  std::vector<std::array<Vector<dim>, cell_nodes<dim>>> hanging;
   /// Integral of dN_i/dx over the cell itself [m^(dim-1)]. The mass balance uses this and not the sum over points:
   /// summed over the cells around an inner node it is zero whatever the points do, so that no water is made or lost.
   std::vector<std::array<Vector<dim>, cell_nodes<dim>>> faces;

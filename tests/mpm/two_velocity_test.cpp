@@ -1,3 +1,4 @@
+#include "mpm/laws/tabulated.h"
 #include "mpm/plan.h"
 #include "mpm/two_velocity/content.h"
 #include "tests/mpm/two_velocity_scenes.h"
@@ -26,6 +27,13 @@ TEST(WaterContent, InverseReturnsThePressure) {
     EXPECT_NEAR(exponential.pressure_of(exponential.value(p)), p, 1e-9 * std::abs(p) + 1e-5);
   }
   EXPECT_TRUE(std::isnan(van_genuchten.pressure_of(-1e-3)));
+}
+
+/// A clay's curve has not reached S_min where its table ends: what lies beyond must not pass for S_min.
+TEST(WaterContent, InverseKnowsTheCurvesOwnLeastSaturation) {
+  const TabulatedCurve clay(sampled_retention(VanGenuchtenRetention{9810, 1 - 1 / 1.1, 0.1, 1, 100}));
+  const WaterContent law(clay, 2.2e9);
+  for (double p : {-1e6, -1e5, -1e3, -200.0}) EXPECT_NEAR(law.pressure_of(law.value(p)), p, 1e-6 * std::abs(p)) << p;
 }
 
 TEST(WaterContent, SlopeIsThatOfTheValue) {
