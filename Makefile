@@ -2,13 +2,14 @@
 SHELL := /bin/bash
 BUILD := build/release
 JOBS := $(shell nproc)
-SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml))
+SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml)) verification/cases/levee/scene.toml
+SUITES := reference hydraulics hard
 
 .PHONY: report test build program deps format clean
 
-report: program  ## the main job: the reference judged, then every scene of the seed paper's column -> out/index.html
+report: program  ## the main job: both solvers judged by their suites, then the scenes compared -> out/index.html
 	status=0; \
-	$(BUILD)/wetfront verify reference || status=$$?; \
+	for suite in $(SUITES); do $(BUILD)/wetfront verify $$suite || status=$$?; done; \
 	$(BUILD)/wetfront run $(SCENES) || status=$$?; \
 	$(BUILD)/wetfront report out && exit $$status
 
