@@ -21,6 +21,8 @@ constexpr double most_growth = 2.0, most_shrinkage = 0.2, safety = 0.9;
 // First step after a break: no node's saturation may change by more than this in an explicit step.
 constexpr double first_saturation_change = 1e-4;
 constexpr double smallest_step = 1e-9;  // s
+// One jump is over in a step or two; more than this one behind the other are a tolerance that cannot be met.
+constexpr int most_shortest_in_a_row = 20;
 // Where flow stops at once its momentum presses the harder the shorter the step that holds it: rho g L (w/K_s) tau/dt,
 // tau the time in which drag stops water. Error control asks no shorter ones than this many tau, which leave 1e-4 of
 // the head.
@@ -226,6 +228,10 @@ void SeepageStep<dim>::run() {
       // No step is short enough for a pressure that jumps (the last pore of incompressible soil fills): the shortest
       // one holds the jump, unmeasured, and history begins anew behind it.
       const bool jumps = error > 1 && dt * factor < shortest_controlled_;
+      const bool measured = f.predictor.error_fraction > 0;
+      if (measured && error <= 1) shortest_in_a_row_ = 0;
+      if (jumps && dt * factor < smallest_step) ++shortest_in_a_row_;
+      if (shortest_in_a_row_ > most_shortest_in_a_row) give_up(dt);
       if (error <= 1 || jumps) {
         if (dt < clock.dt) clock.end = clock.time + dt;
         clock.dt = dt;
@@ -233,6 +239,7 @@ void SeepageStep<dim>::run() {
         if (jumps) {
           (*c_.steps)[step_history][0] = 0;
           ++jumps_taken;
+          factor = 1;
         }
         (*c_.steps)[step_proposal][0] = dt * factor;
         return;
@@ -284,11 +291,11 @@ void SeepageStep<dim>::give_up(double dt) const {
     if (std::abs(balance_[static_cast<std::size_t>(i)]) > std::abs(balance_[static_cast<std::size_t>(worst)]))
       worst = i;
   const auto& x = plan_.fields.grid.node(worst);
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "no step down to %.2g s converges; worst balance at node %d (x = %.4g, %.4g m); residuals of the last try:", dt,
-      worst, x[0], x[1]);
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "no step down to %.2g s converges or meets the tolerance; worst balance at node %d (x = %.4g, %.4g m); "
+                "residuals of the last try:",
+                dt, worst, x[0], x[1]);
   std::string message = text;
   for (double r : residuals_) {
     std::snprintf(text, sizeof text, " %.2g", r);
