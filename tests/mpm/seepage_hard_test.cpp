@@ -132,5 +132,33 @@ TEST(SeepageHard, LittlePoresAThinCoverAndADryDay) {
   EXPECT_EQ(run_balanced(test::seed_column(40, 0.087, 0, 86400)).ledger.back().infiltrated, 0);
 }
 
+/// Conductivity follows when S reaches S_max: a ponded, drained column that is full passes K_s, not what it passed
+/// before.
+TEST(SeepageHard, AFullColumnPassesItsSaturatedConductivity) {
+  constexpr double ks = 3e-11 * 9810 / 1e-3;
+  Problem<2> problem = test::seed_column(20, 0.087, 2 * ks, 6000);
+  problem.water_boundary.push_back(FreeDrainageSide{"base", "o"});
+  problem.initial_pressure.assign(problem.mesh.node_count(), -10e3);
+  const auto history = run_balanced(problem);
+  const auto &last = history.ledger.back(), &before = history.ledger[history.ledger.size() - 2];
+  const double width = 1.2 / 20;
+  EXPECT_NEAR((last.outflow - before.outflow) / (last.time - before.time) / width / ks, 1, 1e-6);
+  EXPECT_NEAR((last.run_off - before.run_off) / (last.time - before.time) / width / ks, 1, 1e-6);
+}
+
+/// The last pore of incompressible soil fills: the pressure jumps, the run goes on, and what follows is hydrostatic.
+TEST(SeepageHard, TheLastPoreOfIncompressibleSoilMayFill) {
+  for (const auto scheme : {LiquidScheme::seepage, LiquidScheme::semi_implicit}) {
+    Problem<2> problem = test::seed_column(10, 0.087, 3e-4, 2000);
+    problem.water->bulk_modulus = std::numeric_limits<double>::infinity();
+    problem.stages[0].liquid = scheme;
+    problem.stages[0].integrator = TimeIntegrator::backward_euler;
+    problem.output_times = {2000};
+    const auto history = run_balanced(problem);
+    const auto& p = history.snapshots.back().node_pressure;
+    for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(p[i], 9810 * (1.2 - problem.mesh.nodes[i][1]), 1) << i;
+  }
+}
+
 }  // namespace
 }  // namespace wetfront::mpm

@@ -38,7 +38,9 @@ TEST_P(HardRow, HasNoFailedEntry) {
 
 INSTANTIATE_TEST_SUITE_P(Quick, HardRow,
                          ::testing::Values("dry_sand_1_mpa", "layers_fine_over_coarse", "k_1e_9", "start_above_zero",
-                                           "rain_10_ks", "mesh_border", "invalid_start"),
+                                           "rain_10_ks", "mesh_border", "invalid_start", "cut_in_mid_ponding",
+                                           "thin_cover", "water_incompressible", "closed_box_at_rest",
+                                           "closed_box_incompressible", "rain_on_off"),
                          [](const auto& info) { return std::string(info.param); });
 
 HardColumn short_column() {
