@@ -36,7 +36,7 @@ std::vector<Key> run_keys() {
     {"mpm", "surface_in_cell", Takes::quantity, "1", optional, "1", "filled fraction of the topmost row of cells: below 1 the surface lies inside them, as it does once a body moves", "0.3", {"0.01", "1"}},
     {"mpm", "rainfall", Takes::choice, "", optional, "standard", "where rain enters when the surface lies inside cells; the named ones of the literature are there for research", "standard", {}, {"standard", "martinelli-2020", "bandara-2016", "consistent-flux"}},
     {"mpm", "accuracy", Takes::quantity, "1", optional, "", "cells and time steps are refined until the run's own estimated error of pressure (relative L2 at the comparison times) is within this; as the scene's cells give it when absent", "1 %", {"1e-6", "0.5"}},
-    {"mpm", "cpu_budget", Takes::quantity, "s", optional, "", "CPU time that the run may take: a plan that expects more is refused, a run that takes more stops and keeps what it has; no limit when absent", "600 s", {"1 ms", "1000 d"}},
+    {"mpm", "cpu_budget", Takes::quantity, "s", optional, "1 d", "CPU time that the run may take: a plan that expects more is refused, a run that takes more stops and keeps what it has", "600 s", {"1 ms", "1000 d"}},
 
     {"reference", "cells", Takes::count, "", optional, "", "cells over the height of a column (320 when absent), the thickness of a slope or profile or the height of a box (their own when absent); a mesh file is halved until it has that many",
      "320", {"1", "100000"}},

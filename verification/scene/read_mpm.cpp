@@ -54,7 +54,7 @@ void read_mpm(Reading& reading) {
   check_surface(*section, mpm.surface_in_cell, reading.scene);
   mpm.rain_entry = read_rain_entry(*section);
   if (section->has("accuracy")) mpm.accuracy = section->quantity("accuracy");
-  if (section->has("cpu_budget")) mpm.cpu_budget = section->quantity("cpu_budget");
+  mpm.cpu_budget = section->quantity("cpu_budget");
   section->finish();
 }
 

@@ -57,8 +57,8 @@ struct MpmSettings {
   int points_per_cell = 4;
   double surface_in_cell = 1;  ///< filled fraction of the topmost row of cells, in (0, 1]
   RainEntry rain_entry = RainEntry::standard;
-  double cpu_budget = 0;  ///< s; 0: none
-  double accuracy = 0;    ///< relative error of pressure that the run refines itself to; 0: as the scene's cells give it
+  double cpu_budget = 86400;  ///< s: nobody waits longer for what he did not mean to ask for
+  double accuracy = 0;  ///< relative error of pressure that the run refines itself to; 0: as the scene's cells give it
   Origin origin;
 };
 
