@@ -1,8 +1,11 @@
 #include "mpm/boundary/boundary_side.h"
 
+#include "mpm/boundary/faces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace wetfront::mpm {
 
@@ -17,61 +20,23 @@ std::string side_names(const meshes::Mesh& mesh) {
 
 namespace {
 
-/// Integrals of N_i n over one face, oriented by the order of its nodes.
+/// A cell that has a face, and which one of its faces that is.
+struct Owner {
+  std::size_t cell;
+  int face;
+};
 template <int dim>
-std::array<Vector<dim>, cell_nodes<dim> / 2> face_integrals(const Grid<dim>& grid, const int* face) {
-  std::array<Vector<dim>, cell_nodes<dim> / 2> out{};
-  if constexpr (dim == 2) {
-    const auto &a = grid.node(face[0]), &b = grid.node(face[1]);
-    out[0] = out[1] = {0.5 * (b[1] - a[1]), -0.5 * (b[0] - a[0])};
-  } else {
-    const double gauss = 1 / std::sqrt(3.0);
-    for (double u : {-gauss, gauss})
-      for (double v : {-gauss, gauss}) {
-        Stencil<2> s;
-        reference_stencil<2>({u, v}, s);
-        Vector<3> du{}, dv{};
-        for (int i = 0; i < 4; ++i)
-          for (int a = 0; a < 3; ++a) {
-            du[a] += s.gradient[i][0] * grid.node(face[i])[a];
-            dv[a] += s.gradient[i][1] * grid.node(face[i])[a];
-          }
-        for (int i = 0; i < 4; ++i)
-          for (int a = 0; a < 3; ++a)
-            out[i][a] += s.value[i] * (du[(a + 1) % 3] * dv[(a + 2) % 3] - du[(a + 2) % 3] * dv[(a + 1) % 3]);
-      }
-  }
-  return out;
-}
-
-template <int dim>
-int owner_of(const Grid<dim>& grid, const int* face, const std::vector<std::vector<std::size_t>>& cells_at) {
-  constexpr int face_nodes = cell_nodes<dim> / 2;
-  for (std::size_t cell : cells_at[static_cast<std::size_t>(face[0])]) {
-    const int* nodes = grid.cell_nodes_of(cell);
-    const auto has = [nodes](int node) {
-      return std::find(nodes, nodes + cell_nodes<dim>, node) != nodes + cell_nodes<dim>;
-    };
-    if (std::all_of(face, face + face_nodes, has)) return static_cast<int>(cell);
-  }
-  return -1;
-}
-
-/// True when the face's integrals point into the cell.
-template <int dim>
-bool points_inwards(const Grid<dim>& grid, std::size_t cell, const int* face,
-                    const std::array<Vector<dim>, cell_nodes<dim> / 2>& integrals) {
-  const Vector<dim> centre = grid.place(cell, {});
-  double towards_centre = 0;
-  for (int a = 0; a < dim; ++a) {
-    double normal = 0, middle = 0;
-    for (int i = 0; i < cell_nodes<dim> / 2; ++i) {
-      normal += integrals[static_cast<std::size_t>(i)][a];
-      middle += grid.node(face[i])[a] / (cell_nodes<dim> / 2);
+std::optional<Owner> owner_of(const Grid<dim>& grid, const int* face,
+                              const std::vector<std::vector<std::size_t>>& cells_at) {
+  for (std::size_t cell : cells_at[static_cast<std::size_t>(face[0])])
+    for (int f = 0; f < cell_faces<dim>; ++f) {
+      const auto local = local_face<dim>(f);
+      if (std::all_of(local.begin(), local.end(), [&](int i) {
+            return std::find(face, face + face_nodes<dim>, grid.cell_nodes_of(cell)[i]) != face + face_nodes<dim>;
+          }))
+        return Owner{cell, f};
     }
-    towards_centre += normal * (centre[a] - middle);
-  }
-  return towards_centre > 0;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -89,20 +54,18 @@ BoundarySide<dim> boundary_side(const StagePlan<dim>& plan, const std::string& n
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
     for (int i = 0; i < cell_nodes<dim>; ++i)
       cells_at[static_cast<std::size_t>(grid.cell_nodes_of(cell)[i])].push_back(cell);
-  constexpr std::size_t face_nodes = cell_nodes<dim> / 2;
   std::map<int, typename BoundarySide<dim>::Node> found;
-  for (std::size_t f = 0; f + face_nodes <= side->faces.size(); f += face_nodes) {
-    const int* face = &side->faces[f];
-    const int owner = owner_of(grid, face, cells_at);
-    if (owner < 0 || !plan.fields.points.occupied(static_cast<std::size_t>(owner))) continue;
-    const auto cell = static_cast<std::size_t>(owner);
-    const auto integrals = face_integrals<dim>(grid, face);
-    const double sign = points_inwards<dim>(grid, cell, face, integrals) ? -1 : 1;
-    for (std::size_t i = 0; i < face_nodes; ++i) {
-      auto [entry, fresh] = found.try_emplace(face[i]);
-      entry->second.index = face[i];
-      entry->second.region = fresh ? grid.region(cell) : std::min(entry->second.region, grid.region(cell));
-      for (int a = 0; a < dim; ++a) entry->second.area[a] += sign * integrals[i][a];
+  for (std::size_t f = 0; f + face_nodes<dim> <= side->faces.size(); f += face_nodes<dim>) {
+    const auto owner = owner_of(grid, &side->faces[f], cells_at);
+    if (!owner || !plan.fields.points.occupied(owner->cell)) continue;
+    const auto local = local_face<dim>(owner->face);
+    const auto integrals = Faces<dim>::integrals(grid, owner->cell, owner->face);
+    for (std::size_t i = 0; i < local.size(); ++i) {
+      const int node = grid.cell_nodes_of(owner->cell)[local[i]], region = grid.region(owner->cell);
+      auto [entry, fresh] = found.try_emplace(node);
+      entry->second.index = node;
+      entry->second.region = fresh ? region : std::min(entry->second.region, region);
+      for (int a = 0; a < dim; ++a) entry->second.area[a] += integrals[i][a];
     }
   }
   if (found.empty())

@@ -13,13 +13,6 @@ namespace wetfront::mpm {
 namespace {
 
 template <int dim>
-double dot(const Vector<dim>& a, const Vector<dim>& b) {
-  double sum = 0;
-  for (int k = 0; k < dim; ++k) sum += a[k] * b[k];
-  return sum;
-}
-
-template <int dim>
 double film_of(const StagePlan<dim>& plan, std::size_t cell, double altitude) {
   const Problem<dim>& problem = plan.problem;
   const Soil& soil = problem.soils[static_cast<std::size_t>(plan.fields.grid.region(cell))];

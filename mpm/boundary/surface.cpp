@@ -1,8 +1,9 @@
 #include "mpm/boundary/surface.h"
 
+#include "mpm/boundary/fitted_line.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace wetfront::mpm {
 
@@ -15,59 +16,11 @@ constexpr double corner_near_surface = 0.75;
 constexpr double shortest_part = 1e-12;
 /// Lines of neighbours that miss each other by less than this part of a face are one surface, by more a cliff.
 constexpr double longest_gap = 0.25;
-constexpr double largest_correction = std::numbers::pi / 6;
-
-template <int dim>
-double length(const Vector<dim>& v) {
-  double square = 0;
-  for (double c : v) square += c * c;
-  return std::sqrt(square);
-}
 
 Polygon polygon_of(const Grid<2>& grid, std::size_t cell) {
   Polygon polygon;
   for (int i = 0; i < 4; ++i) polygon.add(grid.node(grid.cell_nodes_of(cell)[i]));
   return polygon;
-}
-
-Vector<2> turned(const Vector<2>& v, double angle) {
-  return {std::cos(angle) * v[0] - std::sin(angle) * v[1], std::sin(angle) * v[0] + std::cos(angle) * v[1]};
-}
-
-/// The line that holds `area` of the cell and whose soil has its centroid where the points have theirs, along the line.
-/// Turning a chord of length L about its middle moves the centroid along it by L^3/(12 area) per radian, and only along
-/// it: the misfit along the chord is zero where the whole misfit is least.
-HalfPlane fitted_line(const Polygon& cell, double area, const Vector<2>& centroid, const Vector<2>& guess) {
-  const auto misfit = [&](double angle) {
-    const Vector<2> normal = turned(guess, angle);
-    const Vector<2> found = measure(clipped(cell, half_plane_of_area(cell, normal, area))).centroid;
-    return -normal[1] * (found[0] - centroid[0]) + normal[0] * (found[1] - centroid[1]);
-  };
-  double low = -largest_correction, high = largest_correction;
-  double at_low = misfit(low), at_high = misfit(high);
-  double angle = std::abs(at_low) < std::abs(at_high) ? low : high;
-  if (at_low * at_high < 0) {
-    int side = 0;
-    for (int iteration = 0; iteration < 60 && high - low > 1e-15; ++iteration) {
-      const double next = (low * at_high - high * at_low) / (at_high - at_low);
-      if (next == angle) break;
-      angle = next;
-      const double value = misfit(angle);
-      if (value == 0) break;
-      if ((value < 0) == (at_low < 0)) {
-        low = angle;
-        at_low = value;
-        if (side == -1) at_high /= 2;
-        side = -1;
-      } else {
-        high = angle;
-        at_high = value;
-        if (side == 1) at_low /= 2;
-        side = 1;
-      }
-    }
-  }
-  return half_plane_of_area(cell, turned(guess, angle), area);
 }
 
 }  // namespace
@@ -223,17 +176,24 @@ typename Surface<dim>::Interval Surface<dim>::covered(std::size_t cell, int face
   return line.soil.beyond(x) <= 0 ? Interval{0, 1} : Interval{};
 }
 
+/// On a face of a cell, without area yet.
 template <int dim>
-void Surface<dim>::add_part(std::size_t cell, int face, Interval part) {
-  if (part.until - part.from <= shortest_part) return;
-  const auto local = local_face<dim>(face);
-  const auto whole = Faces<dim>::integrals(grid_, cell, face);
+SurfacePiece<dim> Surface<dim>::piece_on(std::size_t cell, int face) const {
   SurfacePiece<dim> piece;
   piece.cell = cell;
   piece.fill = fill_[cell];
   piece.face = face;
   piece.border = faces_.neighbour(cell, face) < 0;
   piece.side = faces_.side(cell, face);
+  return piece;
+}
+
+template <int dim>
+void Surface<dim>::add_part(std::size_t cell, int face, Interval part) {
+  if (part.until - part.from <= shortest_part) return;
+  const auto local = local_face<dim>(face);
+  const auto whole = Faces<dim>::integrals(grid_, cell, face);
+  SurfacePiece<dim> piece = piece_on(cell, face);
   const double middle = 0.5 * (part.from + part.until);
   piece.weight[static_cast<std::size_t>(local[0])] = 1 - middle;
   piece.weight[static_cast<std::size_t>(local[1])] = middle;
@@ -285,12 +245,7 @@ void Surface<dim>::add_face(std::size_t cell, int face) {
   if (other >= 0 && points_.occupied(static_cast<std::size_t>(other))) return;
   const auto local = local_face<dim>(face);
   const auto whole = Faces<dim>::integrals(grid_, cell, face);
-  SurfacePiece<dim> piece;
-  piece.cell = cell;
-  piece.fill = fill_[cell];
-  piece.face = face;
-  piece.border = other < 0;
-  piece.side = faces_.side(cell, face);
+  SurfacePiece<dim> piece = piece_on(cell, face);
   for (std::size_t i = 0; i < local.size(); ++i)
     for (int a = 0; a < dim; ++a) piece.area[a] += whole[i][a];
   const double area = length<dim>(piece.area);

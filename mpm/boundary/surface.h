@@ -73,6 +73,7 @@ class Surface {
   void join_lines();
   Interval covered(std::size_t cell, int face) const;
   void add_face_parts(std::size_t cell, int face);
+  SurfacePiece<dim> piece_on(std::size_t cell, int face) const;
   void add_part(std::size_t cell, int face, Interval part);
   void close_gap(std::size_t cell, int face, Interval part);
   void add_line(const Line& line);

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "mpm/grid/vector.h"
+
 #include <array>
 #include <cstddef>
 
 /// Linear shape functions of quadrilaterals and hexahedra in gmsh's node order.
 namespace wetfront::mpm {
-
-template <int dim>
-using Vector = std::array<double, dim>;
 
 template <int dim>
 constexpr int cell_nodes = 1 << dim;

@@ -1,12 +1,17 @@
 #include "mpm/plan/column.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace wetfront::mpm {
 
 void Column::fill(double value) {
   std::fill(values_.begin(), values_.end(), value);
+}
+
+double Column::sum() const {
+  return std::accumulate(values_.begin(), values_.end(), 0.0);
 }
 
 void ColumnSet::begin_plan() {

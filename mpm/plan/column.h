@@ -37,6 +37,8 @@ class Column {
   std::span<double> values() { return values_; }
   std::span<const double> values() const { return values_; }
   void fill(double value);
+  /// Of all its values.
+  double sum() const;
 
  private:
   friend class ColumnSet;

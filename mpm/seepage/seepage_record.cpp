@@ -50,14 +50,9 @@ template <int dim>
 void Seepage<dim>::add_ledger(StagePlan<dim>& plan) {
   Column& ledger = plan.provide_on_run(water_ledger_spec());
   Column& outflow = plan.require_on_nodes("outflow");
-  const auto sum = [](const Column& column) {
-    double total = 0;
-    for (double value : column.values()) total += value;
-    return total;
-  };
-  const auto write = [this, &ledger, &outflow, sum] {
-    ledger[ledger_stored][0] = sum(*columns_.stored);
-    ledger[ledger_outflow][0] = sum(outflow);
+  const auto write = [this, &ledger, &outflow] {
+    ledger[ledger_stored][0] = columns_.stored->sum();
+    ledger[ledger_outflow][0] = outflow.sum();
   };
   plan.add(Phase::carry, "water ledger", write);
   // The first nodal storage of the stage: W(p) of the pressures it starts from.

@@ -21,17 +21,12 @@ constexpr double fading = 1e-4;
 
 template <int dim>
 double height(const StagePlan<dim>& plan, const Vector<dim>& x) {
-  const Vector<dim> up = upward(plan.problem);
-  double sum = 0;
-  for (int a = 0; a < dim; ++a) sum += x[a] * up[a];
-  return sum;
+  return dot<dim>(x, upward(plan.problem));
 }
 
 template <int dim>
 double specific_weight(const Problem<dim>& problem) {
-  double square = 0;
-  for (double g : problem.gravity) square += g * g;
-  return problem.water->density * std::sqrt(square);
+  return problem.water->density * length<dim>(problem.gravity);
 }
 
 }  // namespace
@@ -235,18 +230,14 @@ void SurfaceExchange<dim>::book(const Site& site, const Flow& f) {
 template <int dim>
 void SurfaceExchange<dim>::add_ledger(StagePlan<dim>& plan) {
   Column& ledger = plan.require_on_run("water ledger");
-  const auto sum = [&plan](const char* name) {
-    double total = 0;
-    for (double value : plan.fields.grid.columns.at(name).values()) total += value;
-    return total;
-  };
-  plan.add(Phase::carry, "rain ledger", [&ledger, sum] {
-    ledger[ledger_rain_asked][0] = sum("rain asked");
-    ledger[ledger_infiltrated][0] = sum("rain imposed");
-    ledger[ledger_run_off][0] = sum("rain run-off");
+  const Column &asked = plan.require_on_nodes("rain asked"), &imposed = plan.require_on_nodes("rain imposed"),
+               &run_off = plan.require_on_nodes("rain run-off");
+  plan.add(Phase::carry, "rain ledger", [&ledger, &asked, &imposed, &run_off] {
+    ledger[ledger_rain_asked][0] = asked.sum();
+    ledger[ledger_infiltrated][0] = imposed.sum();
+    ledger[ledger_run_off][0] = run_off.sum();
   });
-  plan.at_finish([this, &plan](meshes::FieldHistory& history) {
-    auto& columns = plan.fields.grid.columns;
+  plan.at_finish([this, &plan, &asked, &imposed, &run_off](meshes::FieldHistory& history) {
     std::vector<int> nodes;
     for (const Site& site : sites_)
       if (!site.catchments.empty())
@@ -256,8 +247,7 @@ void SurfaceExchange<dim>::add_ledger(StagePlan<dim>& plan) {
     history.rain_by_node.clear();
     for (int node : nodes) {
       const auto i = static_cast<std::size_t>(node);
-      history.rain_by_node.push_back({node, plan.problem.mesh.nodes[i], columns.at("rain asked")[0][i],
-                                      columns.at("rain imposed")[0][i], columns.at("rain run-off")[0][i]});
+      history.rain_by_node.push_back({node, plan.problem.mesh.nodes[i], asked[0][i], imposed[0][i], run_off[0][i]});
     }
   });
 }

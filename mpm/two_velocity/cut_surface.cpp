@@ -12,13 +12,6 @@ namespace wetfront::mpm {
 
 namespace {
 
-template <int dim>
-double dot(const Vector<dim>& a, const Vector<dim>& b) {
-  double sum = 0;
-  for (int i = 0; i < dim; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 /// From the centre of the soil in the cell to the surface.
 template <int dim>
 Vector<dim> outwards(const TwoVelocityWater<dim>& water, const typename CutSurface<dim>::Piece& piece) {

@@ -1,24 +1,10 @@
 #include "mpm/laws/soil_water.h"
 #include "mpm/skeleton/rigid_skeleton.h"
+#include "mpm/two_velocity/nodal_vector.h"
 #include "mpm/two_velocity/two_velocity.h"
 
 /// Steps I to III of the two-velocity scheme: momentum of the liquid, and what it does to a moving skeleton.
 namespace wetfront::mpm {
-
-namespace {
-
-template <int dim>
-Vector<dim> at(const Column& column, std::size_t i) {
-  Vector<dim> v{};
-  for (int a = 0; a < dim; ++a) v[a] = column[a][i];
-  return v;
-}
-template <int dim>
-void put(Column& column, std::size_t i, const Vector<dim>& v) {
-  for (int a = 0; a < dim; ++a) column[a][i] = v[a];
-}
-
-}  // namespace
 
 /// Step I: water and velocity of the points to the nodes.
 template <int dim>

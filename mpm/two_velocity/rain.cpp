@@ -2,35 +2,13 @@
 
 #include "mpm/boundary/boundary_side.h"
 #include "mpm/record/water_ledger.h"
+#include "mpm/two_velocity/nodal_vector.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace wetfront::mpm {
-
-namespace {
-
-template <int dim>
-double along(const Column& column, std::size_t i, const Vector<dim>& direction) {
-  double sum = 0;
-  for (int a = 0; a < dim; ++a) sum += column[a][i] * direction[a];
-  return sum;
-}
-
-template <int dim>
-Vector<dim> at(const Column& column, std::size_t i) {
-  Vector<dim> v{};
-  for (int a = 0; a < dim; ++a) v[a] = column[a][i];
-  return v;
-}
-
-double sum(const Column& column) {
-  return std::accumulate(column.values().begin(), column.values().end(), 0.0);
-}
-
-}  // namespace
 
 template <int dim>
 double RainOnTwoVelocity<dim>::normal_part(const Node& node, const Velocities<dim>& v) {
@@ -148,8 +126,8 @@ void RainOnTwoVelocity<dim>::surface_state() {
       p = 0;
       (*w.mobility)[0][i] = node.mobility;
     } else {
-      const double flux = along<dim>(*w.flux, i, node.normal);
-      p = std::min(p - flux / (*w.cell_mobility)[0][i] * along<dim>(*w.offset, i, node.normal), 0.0);
+      const double flux = dot<dim>(at<dim>(*w.flux, i), node.normal);
+      p = std::min(p - flux / (*w.cell_mobility)[0][i] * dot<dim>(at<dim>(*w.offset, i), node.normal), 0.0);
     }
   }
 }
@@ -194,10 +172,10 @@ void RainOnTwoVelocity<dim>::fill_ledger(double time) {
     for (const auto& [rain, area] : node.rains)
       (*asked_)[0][node.index] += area * meshes::depth_until(rains_[rain].rain, time);
   }
-  (*ledger_)[ledger_rain_asked][0] = sum(*asked_);
-  (*ledger_)[ledger_infiltrated][0] = sum(*imposed_);
-  (*ledger_)[ledger_run_off][0] = sum(*run_off_);
-  (*ledger_)[ledger_outflow][0] = sum(*outflow_);  // what seeps out of the rained surface is booked here
+  (*ledger_)[ledger_rain_asked][0] = asked_->sum();
+  (*ledger_)[ledger_infiltrated][0] = imposed_->sum();
+  (*ledger_)[ledger_run_off][0] = run_off_->sum();
+  (*ledger_)[ledger_outflow][0] = outflow_->sum();  // what seeps out of the rained surface is booked here
 }
 
 template <int dim>

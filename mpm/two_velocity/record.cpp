@@ -6,19 +6,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 /// How the two-velocity scheme takes over the water, and what it writes into ledger and snapshots.
 namespace wetfront::mpm {
-
-namespace {
-
-double sum(const Column& column) {
-  return std::accumulate(column.values().begin(), column.values().end(), 0.0);
-}
-
-}  // namespace
 
 /// Water of the points at the start of the stage.
 ///
@@ -59,14 +50,14 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
     plan.at_begin([this, &plan] { std::ranges::copy(plan.problem.initial_pressure, (*water_->pressure)[0]); });
     return;
   }
-  const double before = sum(*seepage);
+  const double before = seepage->sum();
   plan.at_begin([this, &plan, before] {
     start_as_darcy(plan);
     std::ostringstream text;
     text << "stage '" << plan.stage.name << "' took over the water of seepage: " << before << " m3/m at the nodes, "
-         << sum(*point_water_) - before << " m3/m more in the points";
+         << point_water_->sum() - before << " m3/m more in the points";
     hand_over_ = text.str();
-    hand_over_change_ = sum(*point_water_) - before;
+    hand_over_change_ = point_water_->sum() - before;
   });
 }
 
@@ -122,8 +113,8 @@ void TwoVelocityLiquid<dim>::add_ledger(StagePlan<dim>& plan) {
   Column& outflow = plan.provide_on_nodes({"outflow", "Q_out", dim == 2 ? "m2" : "m3"});
   const auto begin = [this, &ledger, &outflow] {
     ledger[ledger_stored][0] = 0;
-    ledger[ledger_stored_points][0] = sum(*point_water_);
-    ledger[ledger_outflow][0] = sum(outflow);
+    ledger[ledger_stored_points][0] = point_water_->sum();
+    ledger[ledger_outflow][0] = outflow.sum();
   };
   plan.add(Phase::carry, "water ledger", begin);
   plan.at_begin(begin);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "mpm/grid/vector.h"
+#include "mpm/plan/column.h"
+
+/// A vector of a column, component by component.
+namespace wetfront::mpm {
+
+template <int dim>
+Vector<dim> at(const Column& column, std::size_t i) {
+  Vector<dim> v{};
+  for (int a = 0; a < dim; ++a) v[a] = column[a][i];
+  return v;
+}
+
+template <int dim>
+void put(Column& column, std::size_t i, const Vector<dim>& v) {
+  for (int a = 0; a < dim; ++a) column[a][i] = v[a];
+}
+
+}  // namespace wetfront::mpm
