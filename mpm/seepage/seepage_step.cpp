@@ -36,6 +36,9 @@ template <int dim>
 SeepageStep<dim>::SeepageStep(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
                               double pressure_scale)
     : plan_(plan), water_(water), c_(columns), pressure_scale_(pressure_scale) {
+  level_may_be_open_ = std::ranges::all_of(plan.problem.soils, [&](const Soil& soil) {
+    return soil.storage ? *soil.storage == 0 : std::isinf(plan.problem.water->bulk_modulus);
+  });
   shortest_controlled_ = smallest_step;
   if (c_.flux != nullptr)
     for (const Soil& soil : plan.problem.soils) {
@@ -133,7 +136,7 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
     water_.ties.sum_rows(*water_.matrix);
     for (std::size_t i = 0; i < pore_volume_.size(); ++i)
       if (!(pore_volume_[i] > 0)) water_.matrix->make_identity_row(static_cast<int>(i));
-    if (water_.held.empty()) pin_open_level();
+    if (level_may_be_open_ && water_.held.empty()) pin_open_level();
     for (const auto& held : water_.held) water_.matrix->make_identity_row(held.node);
     ++newton_iterations;
     linear_solve_->run();

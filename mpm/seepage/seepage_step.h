@@ -65,6 +65,7 @@ class SeepageStep {
   double pressure_scale_;
   Kernel* linear_solve_;
   int shortest_in_a_row_ = 0;   ///< steps as short as steps can be
+  bool level_may_be_open_;      ///< no soil stores water under pressure
   double shortest_controlled_;  ///< s: the error of a step this short is taken as it is
   std::vector<double> balance_, update_, start_, pore_volume_;
   std::vector<int> active_;
