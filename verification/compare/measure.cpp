@@ -5,19 +5,13 @@
 #include "verification/compare/measuring.h"
 #include "verification/compare/profile.h"
 #include "verification/compare/side_flux.h"
+#include "verification/scene/weather.h"
 #include "verification/translate/initial_pressure.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace wetfront::verification {
-
-/// Rain on a lake or river: none of the soil's business while the side is under water.
-bool falls_on_water(const Scene& scene, const Rain& rain) {
-  return std::ranges::any_of(scene.boundaries, [&](const Boundary& boundary) {
-    return boundary.side == rain.side && boundary.water == WaterCondition::water_level;
-  });
-}
 
 void Measuring::infiltration() {
   for (std::size_t t = 0; t < timeline_.comparison_times.size(); ++t) {
@@ -78,7 +72,7 @@ void Measuring::balances() {
   const double end = candidate_.ledger.back().time;
   const double asked = rain_asked(scene_, candidate_.mesh, end);
   if (!(asked > 0)) return;
-  if (std::ranges::none_of(scene_.rains, [&](const Rain& rain) { return falls_on_water(scene_, rain); }))
+  if (std::ranges::none_of(scene_.rains, [&](const Rain& rain) { return under_water(scene_, rain.side); }))
     own("rain_asked", "rain the candidate's boundary was asked for, against the scene",
         relative_difference(candidate_.ledger.back().rain_asked, asked));
   double from = 0, worst_nodal = 0, worst_points = 0;

@@ -1,5 +1,6 @@
 #include "verification/compare/measuring.h"
 #include "verification/compare/profile.h"
+#include "verification/scene/weather.h"
 #include "verification/translate/initial_pressure.h"
 
 #include <map>
@@ -101,7 +102,7 @@ void Measuring::overshoot() {
   if (scene_.rains.empty()) return;
   double highest = 0;
   for (const Rain& rain : scene_.rains) {
-    if (falls_on_water(scene_, rain)) continue;
+    if (under_water(scene_, rain.side)) continue;
     for (const meshes::Evaluator::Weights& place : surface_places(rain.side))
       for (const meshes::Snapshot& snapshot : candidate_.snapshots) {
         double pressure = 0;

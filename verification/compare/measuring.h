@@ -36,9 +36,6 @@ inline std::string value_text(double value) {
   return std::isnan(value) ? "never" : fmt::format("{:.6g}", value);
 }
 
-/// Rain on a lake or river: none of the soil's business while the side is under water.
-bool falls_on_water(const Scene& scene, const Rain& rain);
-
 /// What a measurement is called.
 struct Label {
   std::string quantity, description;

@@ -1,6 +1,6 @@
 #include "verification/translate/mpm_sides.h"
 
-#include <algorithm>
+#include "verification/scene/weather.h"
 
 namespace wetfront::verification {
 namespace {
@@ -13,9 +13,9 @@ class Sides {
 
   std::vector<mpm::WaterBoundary> all() {
     for (const Rain& rain : scene_.rains)
-      if (!under_water(rain.side)) add_weather(rain.side, rain.origin, &rain);
+      if (!under_water(scene_, rain.side)) add_weather(rain.side, rain.origin, &rain);
     for (const Evaporation& evaporation : scene_.evaporations)
-      if (!rain_on(evaporation.side)) add_weather(evaporation.side, evaporation.origin, nullptr);
+      if (!rain_on(scene_, evaporation.side)) add_weather(evaporation.side, evaporation.origin, nullptr);
     for (const Boundary& boundary : scene_.boundaries)
       if (boundary.water) add(boundary);
     return std::move(sides_);
@@ -26,20 +26,10 @@ class Sides {
   std::string name(const std::string& side) const {
     return scene_.mpm.surface_in_cell < 1 && side == "top" ? mpm::free_surface : side;
   }
-  const Rain* rain_on(const std::string& side) const {
-    const auto found = std::ranges::find(scene_.rains, side, &Rain::side);
-    return found == scene_.rains.end() ? nullptr : &*found;
-  }
-  bool under_water(const std::string& side) const {
-    return std::ranges::any_of(scene_.boundaries, [&](const Boundary& boundary) {
-      return boundary.side == side && boundary.water == WaterCondition::water_level;
-    });
-  }
 
   void add_weather(const std::string& side, const Origin& origin, const Rain* rain) {
     mpm::RainSide out{name(side), rain ? rain->record : dry, origin.text()};
-    const auto evaporation = std::ranges::find(scene_.evaporations, side, &Evaporation::side);
-    if (evaporation != scene_.evaporations.end()) {
+    if (const Evaporation* evaporation = evaporation_from(scene_, side)) {
       out.evaporation = evaporation->demand;
       out.least_pressure = evaporation->least_pressure;
     }
@@ -73,7 +63,7 @@ class Sides {
         sides_.push_back(mpm::FluxSide{side, boundary.inflow, boundary.least_pressure, origin});
         return;
       case WaterCondition::water_level: {
-        const Rain* rain = rain_on(boundary.side);
+        const Rain* rain = rain_on(scene_, boundary.side);
         sides_.push_back(mpm::WaterLevelSide{side, record, rain ? rain->record : meshes::RainRecord{}, origin});
         return;
       }

@@ -1,6 +1,6 @@
 #include "verification/translate/reference_sides.h"
 
-#include <algorithm>
+#include "verification/scene/weather.h"
 
 namespace wetfront::verification {
 namespace {
@@ -8,11 +8,6 @@ namespace {
 namespace fem = fem_reference;
 
 const meshes::RainRecord dry{{0}, {0}};
-
-const Rain* rain_on(const Scene& scene, const std::string& side) {
-  const auto found = std::ranges::find(scene.rains, side, &Rain::side);
-  return found == scene.rains.end() ? nullptr : &*found;
-}
 
 fem::RainSide weather_side(const std::string& side, const Rain* rain, const Evaporation* evaporation,
                            double unit_weight) {
@@ -91,17 +86,9 @@ meshes::RainRecord held(const meshes::RainRecord& record) {
 
 std::vector<fem::BoundaryCondition> reference_sides(const Scene& scene, double unit_weight) {
   std::vector<fem::BoundaryCondition> sides;
-  const auto under_water = [&](const std::string& side) {
-    return std::ranges::any_of(scene.boundaries, [&](const Boundary& boundary) {
-      return boundary.side == side && boundary.water == WaterCondition::water_level;
-    });
-  };
-  for (const Rain& rain : scene.rains) {
-    const auto evaporation = std::ranges::find(scene.evaporations, rain.side, &Evaporation::side);
-    if (!under_water(rain.side))
-      sides.push_back(weather_side(rain.side, &rain, evaporation == scene.evaporations.end() ? nullptr : &*evaporation,
-                                   unit_weight));
-  }
+  for (const Rain& rain : scene.rains)
+    if (!under_water(scene, rain.side))
+      sides.push_back(weather_side(rain.side, &rain, evaporation_from(scene, rain.side), unit_weight));
   for (const Evaporation& evaporation : scene.evaporations)
     if (!rain_on(scene, evaporation.side))
       sides.push_back(weather_side(evaporation.side, nullptr, &evaporation, unit_weight));

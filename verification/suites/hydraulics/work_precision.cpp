@@ -4,6 +4,7 @@
 #include "verification/compare/profile.h"
 #include "verification/present/figure_frame.h"
 #include "verification/suites/case_book.h"
+#include "verification/suites/cost_curve.h"
 #include "verification/suites/hydraulics/column_window.h"
 #include "verification/suites/hydraulics/families.h"
 #include "verification/suites/series.h"
@@ -69,17 +70,6 @@ reports::Figure cost_figure(const std::string& id, const std::string& title) {
   auto figure = figure_frame({id, title, "Cost"}, {"CPU", "s"}, {"relative L2 of the pressure", "-"});
   figure.log_x = figure.log_y = true;
   return figure;
-}
-
-/// CPU seconds at an error, on the straight line between neighbours in log-log; NaN beyond the runs made.
-double cpu_at(const reports::Series& curve, double error) {
-  for (std::size_t i = 1; i < curve.y.size(); ++i) {
-    const double high = std::max(curve.y[i - 1], curve.y[i]), low = std::min(curve.y[i - 1], curve.y[i]);
-    if (error > high || error < low || high == low) continue;
-    const double r = std::log(error / curve.y[i - 1]) / std::log(curve.y[i] / curve.y[i - 1]);
-    return curve.x[i - 1] * std::pow(curve.x[i] / curve.x[i - 1], r);
-  }
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 void work(double rain, double to, int finest, CaseBook& book) {

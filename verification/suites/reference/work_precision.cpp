@@ -1,6 +1,7 @@
 #include "verification/present/figure_frame.h"
 #include "verification/suites/case_book.h"
 #include "verification/suites/closed_form_case.h"
+#include "verification/suites/cost_curve.h"
 #include "verification/suites/reference/celia_problem.h"
 #include "verification/suites/reference/families.h"
 #include "verification/suites/reference/integrators.h"
@@ -59,17 +60,6 @@ Point run(const WorkCase& in, int cells, fem::Integrator integrator, double tole
     point.cpu = std::min(point.cpu, again);
   }
   return point;
-}
-
-/// CPU seconds at an error, on the straight line between neighbours in log-log; NaN beyond the runs made.
-double cpu_at(const reports::Series& curve, double error) {
-  for (std::size_t i = 1; i < curve.y.size(); ++i) {
-    const double high = std::max(curve.y[i - 1], curve.y[i]), low = std::min(curve.y[i - 1], curve.y[i]);
-    if (error > high || error < low || high == low) continue;
-    const double r = std::log(error / curve.y[i - 1]) / std::log(curve.y[i] / curve.y[i - 1]);
-    return curve.x[i - 1] * std::pow(curve.x[i] / curve.x[i - 1], r);
-  }
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 reports::Figure log_figure(const FigureHeading& heading) {
