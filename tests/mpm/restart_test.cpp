@@ -1,5 +1,6 @@
 // A run cut after any step and continued gives the same bits as an uninterrupted one.
 #include "mpm/simulation.h"
+#include "tests/mpm/continuation.h"
 #include "tests/mpm/strip.h"
 
 #include <gtest/gtest.h>
@@ -7,49 +8,12 @@
 namespace wetfront::mpm {
 namespace {
 
-void expect_same_bits(const State& a, const State& b) {
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.stage, b.stage);
-  ASSERT_EQ(a.fields.size(), b.fields.size());
-  for (const auto& [name, values] : a.fields) EXPECT_EQ(values, b.fields.at(name)) << name;
-  ASSERT_EQ(a.history.ledger.size(), b.history.ledger.size());
-  for (std::size_t k = 0; k < a.history.ledger.size(); ++k) {
-    EXPECT_EQ(a.history.ledger[k].stored, b.history.ledger[k].stored);
-    EXPECT_EQ(a.history.ledger[k].run_off, b.history.ledger[k].run_off);
-  }
-  ASSERT_EQ(a.history.snapshots.size(), b.history.snapshots.size());
-  for (std::size_t k = 0; k < a.history.snapshots.size(); ++k) {
-    EXPECT_EQ(a.history.snapshots[k].node_pressure, b.history.snapshots[k].node_pressure);
-    EXPECT_EQ(a.history.snapshots[k].points.position, b.history.snapshots[k].points.position);
-  }
-  ASSERT_EQ(a.history.gauges.size(), b.history.gauges.size());
-  for (std::size_t k = 0; k < a.history.gauges.size(); ++k)
-    EXPECT_EQ(a.history.gauges[k].pressure, b.history.gauges[k].pressure);
-  EXPECT_EQ(a.history.counters, b.history.counters);
-}
-
-void expect_continuation(const Problem<2>& problem, long stride) {
-  Simulation<2> whole(problem);
-  std::vector<State> cuts;
-  for (long step = 0; !whole.finished(); ++step) {
-    if (step % stride == 0) cuts.push_back(whole.state());
-    whole.step();
-  }
-  const State end = whole.state();
-  ASSERT_GE(cuts.size(), 4u);
-  for (const State& cut : cuts) {
-    Simulation<2> rest(problem, cut);
-    while (!rest.finished()) rest.step();
-    expect_same_bits(rest.state(), end);
-  }
-}
-
 TEST(Restart, SeepageThroughRainBreaksAndPonding) {
   Problem<2> problem = test::seed_column(10, 0.87, 3e-4, 150);  // fills and ponds at 105 s
   problem.water_boundary = {RainSide{"top", {{0, 50}, {3e-4, 3.5e-4}}, "o"}, PressureSide{"base", 500, "o"}};
   problem.output_times = {40, 140};
   problem.probes = {{"P", {0.01, 0.5, 0}, "o"}};
-  expect_continuation(problem, 7);
+  test::expect_continuation(problem, 7);
 }
 
 TEST(Restart, OverAChangeOfStage) {
@@ -57,7 +21,7 @@ TEST(Restart, OverAChangeOfStage) {
   problem.stages.push_back(problem.stages[0]);
   problem.stages[1].end_time = 60;
   problem.stages[1].integrator = TimeIntegrator::backward_euler;
-  expect_continuation(problem, 5);
+  test::expect_continuation(problem, 5);
 }
 
 TEST(Restart, ElasticSkeletonWithPointsThatChangeCells) {
@@ -88,7 +52,7 @@ TEST(Restart, ElasticSkeletonWithPointsThatChangeCells) {
       EXPECT_GE(height[point], 0.15 * static_cast<double>(cell) - 1e-9);
       EXPECT_LE(height[point], 0.15 * static_cast<double>(cell + 1) + 1e-9);
     }
-  expect_continuation(problem, 4);
+  test::expect_continuation(problem, 4);
 }
 
 TEST(Restart, RefusesTheStateOfAnotherProblem) {

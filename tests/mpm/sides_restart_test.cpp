@@ -1,5 +1,6 @@
 // Runs through every water side, cut and continued, give the same bits; long records; rain over kinks.
 #include "mpm/simulation.h"
+#include "tests/mpm/continuation.h"
 #include "tests/mpm/plane.h"
 #include "tests/mpm/strip.h"
 
@@ -26,28 +27,7 @@ Problem<2> bank() {
 }
 
 TEST(SidesOverTime, CutAndContinuedGiveTheSameBits) {
-  const Problem<2> problem = bank();
-  Simulation<2> whole(problem);
-  std::vector<State> cuts;
-  for (long step = 0; !whole.finished(); ++step) {
-    if (step % 40 == 7) cuts.push_back(whole.state());
-    whole.step();
-  }
-  const State end = whole.state();
-  ASSERT_GE(cuts.size(), 4u);
-  for (const State& cut : cuts) {
-    Simulation<2> rest(problem, cut);
-    while (!rest.finished()) rest.step();
-    const State again = rest.state();
-    ASSERT_EQ(again.fields.size(), end.fields.size());
-    for (const auto& [name, values] : end.fields) EXPECT_EQ(values, again.fields.at(name)) << name;
-    ASSERT_EQ(again.history.sides.size(), end.history.sides.size());
-    for (std::size_t s = 0; s < end.history.sides.size(); ++s) {
-      EXPECT_EQ(again.history.sides[s].outflow, end.history.sides[s].outflow);
-      EXPECT_EQ(again.history.sides[s].run_off, end.history.sides[s].run_off);
-      EXPECT_EQ(again.history.sides[s].evaporated, end.history.sides[s].evaporated);
-    }
-  }
+  test::expect_continuation(bank(), 40, 7);
 }
 
 TEST(SidesOverTime, RainOverKinksIsTheWidthOfTheBodyTimesItsDepth) {

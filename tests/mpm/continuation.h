@@ -1,0 +1,54 @@
+#pragma once
+
+#include "mpm/simulation.h"
+
+#include <gtest/gtest.h>
+
+/// A run cut and continued gives the same bits as an uninterrupted one: state, ledger, snapshots, gauges, sides.
+namespace wetfront::mpm::test {
+
+inline void expect_same_bits(const State& a, const State& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.stage, b.stage);
+  ASSERT_EQ(a.fields.size(), b.fields.size());
+  for (const auto& [name, values] : a.fields) EXPECT_EQ(values, b.fields.at(name)) << name;
+  ASSERT_EQ(a.history.ledger.size(), b.history.ledger.size());
+  for (std::size_t k = 0; k < a.history.ledger.size(); ++k) {
+    EXPECT_EQ(a.history.ledger[k].stored, b.history.ledger[k].stored);
+    EXPECT_EQ(a.history.ledger[k].run_off, b.history.ledger[k].run_off);
+  }
+  ASSERT_EQ(a.history.snapshots.size(), b.history.snapshots.size());
+  for (std::size_t k = 0; k < a.history.snapshots.size(); ++k) {
+    EXPECT_EQ(a.history.snapshots[k].node_pressure, b.history.snapshots[k].node_pressure);
+    EXPECT_EQ(a.history.snapshots[k].points.position, b.history.snapshots[k].points.position);
+  }
+  ASSERT_EQ(a.history.gauges.size(), b.history.gauges.size());
+  for (std::size_t k = 0; k < a.history.gauges.size(); ++k)
+    EXPECT_EQ(a.history.gauges[k].pressure, b.history.gauges[k].pressure);
+  ASSERT_EQ(a.history.sides.size(), b.history.sides.size());
+  for (std::size_t s = 0; s < b.history.sides.size(); ++s) {
+    EXPECT_EQ(a.history.sides[s].outflow, b.history.sides[s].outflow);
+    EXPECT_EQ(a.history.sides[s].run_off, b.history.sides[s].run_off);
+    EXPECT_EQ(a.history.sides[s].evaporated, b.history.sides[s].evaporated);
+  }
+  EXPECT_EQ(a.history.counters, b.history.counters);
+}
+
+/// Cuts at every step whose number is `first` modulo `stride`, at four places or more.
+inline void expect_continuation(const Problem<2>& problem, long stride, long first = 0) {
+  Simulation<2> whole(problem);
+  std::vector<State> cuts;
+  for (long step = 0; !whole.finished(); ++step) {
+    if (step % stride == first) cuts.push_back(whole.state());
+    whole.step();
+  }
+  const State end = whole.state();
+  ASSERT_GE(cuts.size(), 4u);
+  for (const State& cut : cuts) {
+    Simulation<2> rest(problem, cut);
+    while (!rest.finished()) rest.step();
+    expect_same_bits(rest.state(), end);
+  }
+}
+
+}  // namespace wetfront::mpm::test
