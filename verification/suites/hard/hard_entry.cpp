@@ -5,8 +5,11 @@
 #include "verification/suites/cpu_time.h"
 #include "verification/suites/hard/free_energy.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace wetfront::verification {
 namespace {
@@ -128,6 +131,9 @@ mpm::Problem<2> entry_problem(const HardCase& test, HardScheme scheme, double en
     problem.stages.front().end_time = test.seepage_until;
   }
   std::erase_if(problem.output_times, [end](double time) { return time > end; });
+  // Without it the end would be judged by an earlier state, the start perhaps.
+  if (problem.output_times.empty() || problem.output_times.back() != end)
+    throw std::logic_error(fmt::format("the row '{}' may end at {:g} s, but keeps no output there", test.name, end));
   problem.cpu_budget = test.budget;
   return problem;
 }
