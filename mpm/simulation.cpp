@@ -73,7 +73,7 @@ struct Simulation<dim>::Implementation {
 
   void watch() {
     const typename RunGuard<dim>::Spent cpu{history.cpu_seconds, cpu_start};
-    guard = std::make_unique<RunGuard<dim>>(*plan, cpu, estimate(*plan).steps);
+    guard = std::make_unique<RunGuard<dim>>(*plan, cpu, [&p = *plan] { return estimate(p).steps; });
     // Sorted: a rain record may have 1e5 rows.
     breaks = plan->breaks();
     std::sort(breaks.begin(), breaks.end());

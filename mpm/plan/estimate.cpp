@@ -162,9 +162,18 @@ StageEstimate estimate(const StagePlan<dim>& plan) {
   return out;
 }
 
+/// Two velocities and moving skeletons have a limit of stability; only they can be refused for their cost.
+template <int dim>
+bool may_have_limit(const Problem<dim>& problem, const Stage& stage) {
+  const bool moves = std::any_of(problem.soils.begin(), problem.soils.end(), [](const Soil& s) { return s.elastic; });
+  return moves || stage.liquid == LiquidScheme::implicit_drag || stage.liquid == LiquidScheme::explicit_drag;
+}
+
 template <int dim>
 void check_cost(const Problem<dim>& problem) {
-  if (!(problem.cpu_budget > 0)) return;
+  const bool any = std::any_of(problem.stages.begin(), problem.stages.end(),
+                               [&](const Stage& stage) { return may_have_limit(problem, stage); });
+  if (!(problem.cpu_budget > 0) || !any) return;
   Fields<dim> fields(problem);
   double total = 0;
   for (std::size_t stage = 0; stage < problem.stages.size(); ++stage) {

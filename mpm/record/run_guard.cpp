@@ -55,9 +55,7 @@ struct HeadRange {
   double lowest = infinity, highest = -infinity;
 
   explicit HeadRange(const Problem<dim>& problem) : problem_(problem), up_(upward(problem)) {
-    double g = 0;
-    for (double component : problem.gravity) g += component * component;
-    weight_ = problem.water->density * std::sqrt(g);
+    weight_ = problem.water->density * length<dim>(problem.gravity);
     for (std::size_t i = 0; i < problem.mesh.node_count(); ++i) {
       take(problem.initial_pressure[i] + potential(i));
       top_ = std::max(top_, potential(i));
@@ -118,8 +116,8 @@ struct HeadRange {
 }  // namespace
 
 template <int dim>
-RunGuard<dim>::RunGuard(const StagePlan<dim>& plan, Spent cpu, double steps_expected)
-    : plan_(plan), cpu_(cpu), most_steps_(std::max(most_steps, most_over_plan * steps_expected)) {
+RunGuard<dim>::RunGuard(const StagePlan<dim>& plan, Spent cpu, std::function<double()> steps_expected)
+    : plan_(plan), cpu_(cpu), steps_expected_(std::move(steps_expected)), most_steps_(most_steps) {
   const Problem<dim>& problem = plan.problem;
   const bool rigid =
       std::none_of(problem.soils.begin(), problem.soils.end(), [](const Soil& soil) { return soil.elastic; });
@@ -171,6 +169,8 @@ void RunGuard<dim>::check_crawl() {
   const double now = plan_.clock.end, before = std::exchange(window_start_, now);
   if (before < 0) return;  // the first window of this process
   const double rest = plan_.stage.end_time - now, step = (now - before) / crawl_window;
+  if (rest <= most_steps_ * step) return;
+  most_steps_ = std::max(most_steps_, most_over_plan * steps_expected_());
   if (rest <= most_steps_ * step) return;
   throw StepFailed(
       text_of("the run crawls: the last %ld steps were %.3g s on average, %.3g such steps are left (limit of "

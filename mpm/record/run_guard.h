@@ -2,6 +2,7 @@
 
 #include "mpm/plan/stage_plan.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,8 @@ class RunGuard {
     double before;  ///< CPU seconds of the run before it was continued
     double since;   ///< reading of the thread's CPU clock when it was begun or continued
   };
-  /// `steps_expected`: of this stage.
-  RunGuard(const StagePlan<dim>& plan, Spent cpu, double steps_expected);
+  /// `steps_expected`: of this stage; asked only when the run seems to crawl, since the answer costs a few plans.
+  RunGuard(const StagePlan<dim>& plan, Spent cpu, std::function<double()> steps_expected);
 
   void before_step(long steps_taken);
   void after_step(long steps_taken);
@@ -42,6 +43,7 @@ class RunGuard {
 
   const StagePlan<dim>& plan_;
   Spent cpu_;
+  std::function<double()> steps_expected_;
   double most_steps_;                     ///< that the rest of the stage may need
   double window_start_ = -1;              ///< of the crawl check [s]; -1: not begun
   std::vector<double> highest_, lowest_;  ///< of the pressure at the nodes [Pa]; empty: not known

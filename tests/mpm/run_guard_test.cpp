@@ -85,7 +85,7 @@ struct Spoilt {
   RunGuard<2> guard;
 
   explicit Spoilt(const Problem<2>& p)
-      : problem(p), fields(problem), plan(entered()), guard(*plan, {0, thread_cpu_seconds()}, 100) {}
+      : problem(p), fields(problem), plan(entered()), guard(*plan, {0, thread_cpu_seconds()}, [] { return 100.0; }) {}
   std::unique_ptr<StagePlan<2>> entered() {
     auto made = make_plan(problem, 0, fields);
     made->enter();
