@@ -5,6 +5,7 @@
 #include "meshes/rain_record.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -107,6 +108,50 @@ struct Elastic {
   Origin origin;
 };
 
+/// Friction and cohesion; perfectly plastic, non-associated where dilatancy differs from friction.
+struct MohrCoulomb {
+  double friction;   ///< phi' [rad]
+  double cohesion;   ///< c' [Pa]
+  double dilatancy;  ///< psi [rad]
+  /// Largest tensile principal stress [Pa, >= 0]; not given: the apex, c' cot phi'.
+  std::optional<double> tension_cut_off{};
+  Origin origin;
+};
+/// Friction, cohesion and dilatancy fall from peak to residual with the plastic shear strain
+/// (gamma_p = int sqrt(2/3 e_p:e_p)): linearly until `range`.
+struct SofteningMohrCoulomb {
+  MohrCoulomb peak, residual;
+  double range;  ///< plastic shear strain at which the residual values are reached [-]
+};
+/// Yerro, Alonso & Pinyol 2015: c = c' + c_max (1 - exp(-B s/p_atm)), phi = phi' + A s/p_atm, with suction s.
+struct SuctionMohrCoulomb {
+  MohrCoulomb saturated;
+  double suction_cohesion;  ///< c_max [Pa]
+  double cohesion_rate;     ///< B [-]
+  double friction_rate;     ///< A [rad]
+};
+/// Modified Cam-Clay (Roscoe & Burland 1968); elastic.poisson holds, elastic.young is not used.
+struct ModifiedCamClay {
+  double critical_slope;         ///< M [-]
+  double compression;            ///< lambda, of ln p' [-]
+  double swelling;               ///< kappa [-]
+  double void_ratio;             ///< e at the start [-]
+  double preconsolidation;       ///< p_c > 0 [Pa]
+  double least_pressure = 1000;  ///< mean effective stress below which stiffness is kept [Pa]
+  Origin origin;
+};
+/// P = lambda ln J F^-T + mu (F - F^-T), lambda and mu from `Elastic`: for verification at finite strain.
+struct NeoHookean {
+  Origin origin;
+};
+/// Kirchhoff stress linear in the logarithmic strain (Hencky), for verification at finite strain.
+struct Hencky {
+  Origin origin;
+};
+/// What limits or replaces linear elasticity in increments.
+using SkeletonLaw =
+    std::variant<MohrCoulomb, SofteningMohrCoulomb, SuctionMohrCoulomb, ModifiedCamClay, NeoHookean, Hencky>;
+
 struct Soil {
   std::string name;
   double porosity;
@@ -121,6 +166,10 @@ struct Soil {
   /// Volume of water stored per volume of saturated soil and pressure [1/Pa], in place of n S_max / K_l.
   std::optional<double> storage{};
   Bishop bishop = Bishop::saturation;
+  /// With `elastic` only; absent: linear elasticity.
+  std::optional<SkeletonLaw> law{};
+  /// K_0 = sigma'_h/sigma'_v of the initial stress where the problem asks for it; absent: nu/(1-nu).
+  std::optional<double> earth_pressure_at_rest{};
 };
 
 /// Piecewise linear in time, constant before the first and after the last entry; two entries at one time are a jump.
@@ -193,6 +242,76 @@ struct Fixity {
   Origin origin;
 };
 
+/// Force per area on a side of the mesh or on the `free_surface`: `pressure` pushes against the outward normal, `force`
+/// is a vector. Each is multiplied by `factor` in time; no factor: 1.
+struct Traction {
+  std::string side;
+  double pressure = 0;            ///< Pa, compression-positive
+  std::array<double, 3> force{};  ///< Pa
+  TimeRecord factor{};
+  Origin origin;
+};
+/// A velocity given to the skeleton on a side, per axis; axes without one are free.
+struct MovingSide {
+  std::string side;
+  std::array<std::optional<double>, 3> velocity{};  ///< m/s
+  TimeRecord factor{};
+  Origin origin;
+};
+/// A rigid base on which the body may slide and from which it may lift: Coulomb friction mu = tan(delta) on the
+/// effective normal reaction. Several sides may form one base: nodes at their corners take both normals.
+struct FrictionalContact {
+  std::string side;
+  double friction;  ///< mu [-]
+  Origin origin;
+};
+/// Lysmer & Kuhlemeyer 1969: waves leave; tractions rho c v against the motion.
+struct AbsorbingSide {
+  std::string side;
+  Origin origin;
+};
+/// The skeleton's side and its partner (the same, moved by one vector, node by node) move as one.
+struct PeriodicSkeleton {
+  std::string side, partner;
+  Origin origin;
+};
+using SkeletonBoundary = std::variant<Traction, MovingSide, FrictionalContact, AbsorbingSide, PeriodicSkeleton>;
+
+/// How the stress of the beginning is found.
+enum class InitialStress {
+  none,  ///< zero effective stress
+  k0,    ///< vertical stress of what lies above, horizontal K_0 of it (K_0 procedure)
+};
+
+/// Shape functions of the skeleton's motion.
+enum class ShapeFunctions {
+  linear,            ///< of the mesh's quadrilaterals and hexahedra
+  quadratic_spline,  ///< B-splines on a Cartesian grid (Steffen, Kirby & Berzins 2008): no cell-crossing noise
+};
+/// When stress is updated in a step.
+enum class StressUpdate {
+  musl,  ///< after the points' momenta have been mapped back (Sulsky, Zhou & Schreyer 1995; the paper's steps I to IX)
+  usf,   ///< first, with the velocities at the start of the step (Bardenhagen 2002)
+  usl,   ///< last, with the nodes' own velocities
+};
+/// How velocities pass between nodes and points.
+enum class Transfer {
+  flip,  ///< increments; with a share `pic` of the nodes' velocities themselves
+  apic,  ///< affine particle-in-cell (Jiang et al. 2015)
+};
+enum class LockingRemedy {
+  b_bar,  ///< volumetric strain and mean stress act with the cell's mean gradient (Hughes 1980)
+  none,
+};
+/// How the motion of the skeleton is discretised.
+struct SkeletonScheme {
+  ShapeFunctions shape = ShapeFunctions::linear;
+  StressUpdate update = StressUpdate::musl;
+  Transfer transfer = Transfer::flip;
+  double pic = 0;  ///< share of PIC in each step's FLIP update, 0 to 1 [-]
+  LockingRemedy locking = LockingRemedy::b_bar;
+};
+
 struct Probe {
   std::string name;
   meshes::Point position{};
@@ -220,6 +339,19 @@ enum class RainScheme {
   consistent_flux,  ///< integral of N_i over the surface as a source of the nodes
 };
 
+/// How a deforming skeleton moves in a stage.
+enum class SkeletonMotion {
+  dynamic,       ///< in true time, with inertia
+  quasi_static,  ///< from equilibrium to equilibrium: damped relaxation after each step of the liquid or of the load
+};
+/// When relaxation is over, and when it has failed.
+struct Relaxation {
+  double unbalanced_ratio = 2e-4;  ///< |out-of-balance force| / |forces| below which a state is an equilibrium
+  long most_iterations = 6000;     ///< times the cells along the body's longest axis over 100; beyond it the run stops
+  double damping = 0.7;            ///< local (Cundall)
+  double coupling_tolerance = 1e-6;  ///< of the split between flow and skeleton, relative
+};
+
 struct Stage {
   std::string name;
   std::optional<LiquidScheme> liquid;  ///< absent in a dry scene
@@ -231,6 +363,8 @@ struct Stage {
   double local_damping = 0;      ///< of the skeleton's out-of-balance force (Cundall), dynamic stages
   MassBalance mass_balance = MassBalance::conservative;
   Origin origin;
+  SkeletonMotion motion = SkeletonMotion::dynamic;  ///< of soils with `elastic`
+  Relaxation relaxation{};
 };
 
 /// A strip one cell wide (a column) or a plane-strain mesh for dim 2; dim 3 likewise.
@@ -248,6 +382,14 @@ struct Problem {
   std::vector<double> conductivity_factor{};  ///< per mesh cell, times its soil's permeability [-]; empty: 1
   std::vector<WaterBoundary> water_boundary;
   std::vector<Fixity> fixities;
+  std::vector<SkeletonBoundary> skeleton_boundary{};
+  SkeletonScheme skeleton{};
+  InitialStress initial_stress = InitialStress::none;
+  /// Velocity of the skeleton at a place when the run begins [m/s]; empty: at rest.
+  std::function<std::array<double, dim>(const std::array<double, dim>&)> initial_velocity{};
+  /// Acceleration [m/s2] of the point that began at X, at a time: for manufactured solutions. Points remember X for it.
+  std::function<std::array<double, dim>(const std::array<double, dim>&, double)> body_acceleration{};
+  int threads = 1;  ///< of the kernels over cells; results do not depend on it
   std::vector<Probe> probes;
   int points_per_cell = 4;
   RainScheme rain_scheme = RainScheme::standard;

@@ -1,7 +1,7 @@
 #include "mpm/skeleton/elastic_skeleton.h"
 
 #include "mpm/boundary/boundary_side.h"
-#include "mpm/laws/stress_law.h"
+#include "mpm/laws/linear_elastic.h"
 #include "mpm/skeleton/rigid_skeleton.h"
 
 #include <algorithm>
@@ -153,15 +153,13 @@ void ElasticSkeleton<dim>::add_stress(StagePlan<dim>& plan) {
     const LinearElastic law(*soil.elastic);
     const auto update = [this, law](const Block& block) {
       for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-        std::array<Vector<dim>, dim> increment{};
+        StepGradient<dim> step;
         for (int a = 0; a < dim; ++a)
-          for (int b = 0; b < dim; ++b) increment[a][b] = (*c_.increment)[a * dim + b][p];
-        SymmetricTensor<dim> stress{};
-        for (int k = 0; k < stress_components<dim>; ++k) stress[k] = (*c_.stress)[k][p];
-        const auto rotation = rotation_increment<dim>(stress, increment);
-        LinearElastic::State state;
-        law(stress, strain_increment<dim>(increment), state);
-        for (int k = 0; k < stress_components<dim>; ++k) (*c_.stress)[k][p] = stress[k] + rotation[k];
+          for (int b = 0; b < dim; ++b) step.plane[a][b] = (*c_.increment)[a * dim + b][p];
+        LawPoint<LinearElastic, dim> point;
+        for (int k = 0; k < stress_components<dim>; ++k) point.stress[k] = (*c_.stress)[k][p];
+        law.advance(point, step);
+        for (int k = 0; k < stress_components<dim>; ++k) (*c_.stress)[k][p] = point.stress[k];
       }
     };
     plan.add_over_blocks(Phase::stress, "effective stress [" + soil.name + "]", static_cast<int>(r), update);

@@ -1,5 +1,5 @@
 #include "mpm/laws/soil_water.h"
-#include "mpm/laws/stress_law.h"
+#include "mpm/laws/linear_elastic.h"
 #include "mpm/two_velocity/content.h"
 #include "mpm/two_velocity/pressure_operator.h"
 #include "mpm/two_velocity/two_velocity.h"

@@ -1,4 +1,4 @@
-#include "mpm/laws/stress_law.h"
+#include "mpm/laws/linear_elastic.h"
 #include "mpm/plan.h"
 #include "tests/mpm/two_velocity_scenes.h"
 
