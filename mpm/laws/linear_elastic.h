@@ -38,6 +38,7 @@ class LinearElastic {
     return constrained_modulus();
   }
   double constrained_modulus() const { return lambda_ + 2 * shear_; }
+  double lame() const { return lambda_; }
   double shear_modulus() const { return shear_; }
   double bulk_modulus() const { return lambda_ + 2 * shear_ / 3; }
 
