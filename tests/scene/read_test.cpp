@@ -136,7 +136,7 @@ TEST(ReadScene, ExponentialConductivityTakesTheScaleOfTheRetention) {
 TEST(ReadScene, DryAndDeformingScenes) {
   const Scene dry = read_scene(cases / "dry_column/scene.toml");
   EXPECT_FALSE(dry.water || dry.initial || dry.reference || dry.soils.at(0).retention || dry.stages.at(0).scheme);
-  EXPECT_EQ(dry.boundaries.at(1).fixed, (std::array<bool, 3>{true, false, false}));
+  EXPECT_EQ(dry.boundaries.at(1).skeleton->axes, (std::array<bool, 3>{true, false, false}));
   const Scene deforming = read_scene(cases / "deforming_column/scene.toml");
   EXPECT_DOUBLE_EQ(deforming.soils.at(0).elastic->young, 1e7);
   EXPECT_EQ(deforming.stages.at(0).scheme, Scheme::implicit_drag);

@@ -3,6 +3,7 @@
 #include "meshes/rain_record.h"
 #include "verification/scene/origin.h"
 #include "verification/scene/place_table.h"
+#include "verification/scene/skeleton.h"
 
 #include <array>
 #include <filesystem>
@@ -86,12 +87,13 @@ enum class WaterCondition {
 struct Boundary {
   std::string side;
   std::optional<WaterCondition> water;
-  double pressure = 0;                       ///< Pa, for WaterCondition::pressure that does not vary
-  Record record{};                           ///< pressure [Pa], total head [m] or level [m] in time
-  meshes::RainRecord inflow{};               ///< m/s per area of the side, either sign, for WaterCondition::flux
-  double least_pressure = 0;                 ///< Pa; of a flux out
-  std::string partner{};                     ///< for WaterCondition::periodic
-  std::optional<std::array<bool, 3>> fixed;  ///< skeleton: per axis
+  double pressure = 0;          ///< Pa, for WaterCondition::pressure that does not vary
+  Record record{};              ///< pressure [Pa], total head [m] or level [m] in time
+  meshes::RainRecord inflow{};  ///< m/s per area of the side, either sign, for WaterCondition::flux
+  double least_pressure = 0;    ///< Pa; of a flux out
+  std::string partner{};        ///< for what is periodic
+  std::optional<SkeletonCondition> skeleton{};
+  std::optional<Record> load{};  ///< pressure on the skeleton, compression-positive [Pa]
   Origin origin;
 };
 

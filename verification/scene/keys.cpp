@@ -8,7 +8,7 @@ namespace {
 const std::vector<Key>& keys() {
   static const std::vector<Key> all = [] {
     std::vector<Key> joined = ground_keys();
-    for (const auto& part : {soil_keys(), condition_keys(), run_keys()})
+    for (const auto& part : {soil_keys(), condition_keys(), skeleton_keys(), run_keys()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();
@@ -50,6 +50,7 @@ const std::vector<Section>& sections() {
       {"soil.permeability", false, false, "", {}},
       {"soil.anisotropy", false, false, "", {}},
       {"soil.conductivity_field", false, false, "", {}},
+      {"soil.strength", false, false, "", {}},
       {"initial",
        false,
        false,
@@ -63,6 +64,7 @@ const std::vector<Section>& sections() {
       {"evaporation", true, false, "evaporation from a side, with or without rain", {}},
       {"boundary", true, false, "what holds on a side", {}},
       {"probe", true, false, "a gauge: pressure and saturation over time at a point", {"at", "elevation"}},
+      {"skeleton", false, false, "how a skeleton that deforms starts and moves", {}},
       {"stage", true, true, "what is simulated, in order", {}},
       {"mpm", false, false, "the candidate", {}},
       {"reference", false, false, "the finite-element reference; without it nothing is compared", {}},

@@ -68,6 +68,7 @@ const Section& section_named(const std::string& name);
 std::vector<Key> ground_keys();
 std::vector<Key> soil_keys();
 std::vector<Key> condition_keys();
+std::vector<Key> skeleton_keys();
 std::vector<Key> run_keys();
 
 /// The header line of a CSV file with these columns: `time [s], level [m]`.

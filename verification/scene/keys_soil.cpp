@@ -28,6 +28,8 @@ std::vector<Key> soil_keys() {
     {"soil", "young", Takes::quantity, "Pa", optional, "", "Young's modulus of an elastic skeleton; rigid when absent", "10 MPa", {"1 Pa", "1000 GPa"}},
     {"soil", "bishop", Takes::choice, "", optional, "saturation", "Bishop's parameter chi of the effective stress sigma + chi p", "saturation", {}, {"saturation", "effective-saturation"}},
     {"soil", "poisson", Takes::quantity, "1", optional, "", "Poisson's ratio; needed with young", "0.3", {"0", "0.5", false, true}},
+    {"soil", "strength", Takes::table, "", optional, "", "what bounds the stress of the skeleton; it stays elastic when absent", R"({ law = "mohr-coulomb", friction = "34 deg" })"},
+    {"soil", "earth_pressure_at_rest", Takes::quantity, "1", optional, "", "K_0, effective horizontal over vertical stress at the start; poisson / (1 - poisson) when absent", "0.44", {"0", "10"}},
 
     {"soil.retention", "law", Takes::choice, "", required, "", "van Genuchten 1980 (Lee 2021, Eq. 5); Gardner 1958; Haverkamp 1977, sand, and Yolo clay (log); Vauclin 1979; Broadbridge and White 1988; or points",
      "van-genuchten", {}, {"van-genuchten", "exponential", "haverkamp", "haverkamp-log", "vauclin", "broadbridge-white", "tabulated"}},

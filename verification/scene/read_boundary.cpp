@@ -10,20 +10,6 @@
 namespace wetfront::verification {
 namespace {
 
-std::array<bool, 3> fixed_axes(SectionReader& reader, const std::string& side, const Scene& scene) {
-  const std::string skeleton = reader.choice("skeleton");
-  if (skeleton == "fixed") return {true, true, true};
-  if (skeleton == "fixed-x") return {true, false, false};
-  if (skeleton == "fixed-y") return {false, true, false};
-  if (skeleton != "roller") return {false, false, false};
-  if (side == "left" || side == "right") return {true, false, false};
-  if (std::holds_alternative<Column>(scene.geometry.shape)) return {false, true, false};
-  reader.complain("skeleton",
-                  {"a roller on '" + side + "' is not along an axis", "the side is inclined or its direction not known",
-                   "Write \"fixed\", \"fixed-x\" or \"fixed-y\"."});
-  return {false, false, false};
-}
-
 /// What `water` prescribes: a value, or one that changes in time.
 void read_prescribed(SectionReader& reader, Boundary& boundary, const Reading& reading) {
   static const std::map<WaterCondition, std::string> keys = {{WaterCondition::pressure, "pressure"},
@@ -46,6 +32,7 @@ void read_prescribed(SectionReader& reader, Boundary& boundary, const Reading& r
 }
 
 void read_partner(SectionReader& reader, Boundary& boundary, const Reading& reading) {
+  if (!reader.has("partner")) return;  // said once, by check_partner
   boundary.partner = read_side(reader, reading, "partner");
   if (boundary.partner == boundary.side && !boundary.side.empty())
     reader.complain("partner", {"'" + boundary.side + "' is its own partner", "water leaves here and comes in there",
@@ -101,6 +88,15 @@ void read_water_condition(SectionReader& reader, Boundary& boundary, const Readi
   if (reader.has("water")) check_weather(reader, boundary, reading);
 }
 
+/// A partner is there if and only if something is periodic.
+void check_partner(SectionReader& reader, const Boundary& boundary) {
+  const bool periodic = boundary.water == WaterCondition::periodic ||
+                        (boundary.skeleton && boundary.skeleton->kind == SkeletonCondition::Kind::periodic);
+  if (periodic && !reader.has("partner")) reader.missing("partner", reader.key("partner").meaning);
+  if (!periodic && boundary.partner.empty())
+    reader.unused("partner", "nothing on this side is periodic", "Remove it, or write water = \"periodic\".");
+}
+
 }  // namespace
 
 void read_boundaries(Reading& reading) {
@@ -118,10 +114,9 @@ void read_boundaries(Reading& reading) {
                                "the first stands in line " + std::to_string(first->origin.line),
                                "Put water and skeleton into one."});
     read_water_condition(reader, boundary, reading);
-    if (reader.has("skeleton") && reading.elastic()) boundary.fixed = fixed_axes(reader, boundary.side, reading.scene);
-    if (reader.has("skeleton") && !reading.elastic())
-      reader.unused("skeleton", "every soil of this scene is rigid", "Remove it, or give the soil young and poisson.");
-    if (!reader.has("water") && !reader.has("skeleton"))
+    read_skeleton_condition(reader, boundary, reading);
+    check_partner(reader, boundary);
+    if (!reader.has("water") && !reader.has("skeleton") && !reader.has("load"))
       reader.missing("water", "a boundary must say something about the water or the skeleton");
     if (!repeated) reading.scene.boundaries.push_back(boundary);
     reader.finish();

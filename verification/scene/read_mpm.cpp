@@ -51,6 +51,7 @@ void read_mpm(Reading& reading) {
   mpm.origin = section->origin();
   mpm.points_per_cell = read_points(*section);
   mpm.surface_in_cell = section->quantity("surface_in_cell");
+  mpm.threads = section->count("threads");
   check_surface(*section, mpm.surface_in_cell, reading.scene);
   mpm.rain_entry = read_rain_entry(*section);
   if (section->has("accuracy")) mpm.accuracy = section->quantity("accuracy");

@@ -62,18 +62,6 @@ void read_field(SectionReader& reader, Soil& soil, const Reading& reading) {
   table->finish();
 }
 
-void read_skeleton(SectionReader& reader, Soil& soil) {
-  const double young = reader.quantity("young"), poisson = reader.quantity("poisson");
-  if (reader.choice("bishop") == "effective-saturation") soil.bishop = Bishop::effective_saturation;
-  if (reader.has("bishop") && !reader.has("young"))
-    reader.unused("bishop", "a rigid skeleton has no effective stress to speak of", "Remove it, or add young.");
-  if (reader.has("young") && !reader.has("poisson"))
-    reader.missing("poisson", "young makes the skeleton elastic, which takes both");
-  if (!reader.has("young") && reader.has("poisson"))
-    reader.unused("poisson", "without young the skeleton is rigid", "Remove it, or add young = \"10 MPa\".");
-  if (reader.has("young")) soil.elastic = Elastic{young, poisson, reader.origin_of("young")};
-}
-
 Soil read_one(SectionReader& reader, const Reading& reading) {
   Soil soil;
   soil.name = reader.text("name");
@@ -87,7 +75,7 @@ Soil read_one(SectionReader& reader, const Reading& reading) {
     read_field(reader, soil, reading);
     if (reader.has("specific_storage")) soil.specific_storage = reader.quantity("specific_storage");
   }
-  read_skeleton(reader, soil);
+  read_soil_skeleton(reader, soil);
   soil.origin = reader.origin();
   return soil;
 }

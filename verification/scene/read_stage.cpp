@@ -22,8 +22,7 @@ void read_scheme(SectionReader& reader, Stage& stage, const Reading& reading) {
                                                       {"implicit-drag", Scheme::implicit_drag},
                                                       {"explicit", Scheme::explicit_drag}};
   const std::string scheme = reader.choice("scheme");
-  // The cheapest that can do it: a moving skeleton needs two velocities, a resting one only seepage.
-  if (scheme == "auto") stage.scheme = reading.elastic() ? Scheme::implicit_drag : Scheme::seepage;
+  if (scheme == "auto") stage.scheme = Scheme::seepage;
   if (const auto found = known.find(scheme); found != known.end()) stage.scheme = found->second;
 }
 
@@ -42,6 +41,28 @@ void read_step_control(SectionReader& reader, Stage& stage, bool elastic) {
     reader.unused("local_damping", "every soil of this scene is rigid",
                   "Remove it, or give the soil young and poisson.");
   stage.local_damping = reader.quantity("local_damping");
+}
+
+/// How the skeleton moves in this stage.
+void read_motion(SectionReader& reader, Stage& stage, bool elastic) {
+  const std::string motion = reader.choice("skeleton");
+  stage.motion.quasi_static = motion == "quasi-static" || (motion.empty() && stage.scheme == Scheme::seepage);
+  stage.motion.unbalanced_ratio = reader.quantity("unbalanced_ratio");
+  stage.motion.relaxation_damping = reader.quantity("relaxation_damping");
+  const std::string two_velocities = stage.scheme == Scheme::explicit_drag ? "explicit" : "implicit-drag";
+  if (stage.motion.quasi_static && (stage.scheme == Scheme::implicit_drag || stage.scheme == Scheme::explicit_drag))
+    reader.complain("skeleton",
+                    {"a quasi-static skeleton does not go with " + two_velocities,
+                     "two velocities are there for inertia", "Write \"dynamic\", or scheme = \"seepage\"."});
+  if (!motion.empty() && motion != "quasi-static" && stage.scheme == Scheme::seepage)
+    reader.complain("skeleton", {"a dynamic skeleton does not go with seepage", "its water has no inertia",
+                                 "Write \"quasi-static\", or scheme = \"implicit-drag\"."});
+  if (!elastic)
+    for (const char* key : {"skeleton", "unbalanced_ratio", "relaxation_damping"})
+      reader.unused(key, "every soil of this scene is rigid", "Remove it, or give the soil young and poisson.");
+  else if (!stage.motion.quasi_static)
+    for (const char* key : {"unbalanced_ratio", "relaxation_damping"})
+      reader.unused(key, "this stage is dynamic", "Remove it, or write skeleton = \"quasi-static\".");
 }
 
 void check_end(SectionReader& reader, const Stage& stage, const Reading& reading) {
@@ -68,6 +89,7 @@ void read_stages(Reading& reading) {
     stage.origin = reader.origin();
     read_scheme(reader, stage, reading);
     read_step_control(reader, stage, reading.elastic());
+    read_motion(reader, stage, reading.elastic());
     if (const auto until = reader.time("until")) {
       stage.until = *until;
       check_end(reader, stage, reading);

@@ -42,6 +42,7 @@ void read_boundaries(Reading& reading);
 void read_probes(Reading& reading);
 void read_stages(Reading& reading);      // stage, mpm
 void read_mpm(Reading& reading);         // mpm; part of read_stages
+void read_skeleton(Reading& reading);    // skeleton
 void read_comparison(Reading& reading);  // reference, comparison, tolerance
 
 void read_layers(Reading& reading);       // layer; part of read_geometry
@@ -49,6 +50,10 @@ void check_soil_names(Reading& reading);  // of layers and zones; part of read_s
 
 /// Retention and permeability of one soil; porosity where the retention gives it.
 void read_laws(SectionReader& reader, Soil& soil, const Reading& reading);
+/// Stiffness, strength and stress at rest of one soil.
+void read_soil_skeleton(SectionReader& reader, Soil& soil);
+/// What the skeleton meets on a side, and the load there.
+void read_skeleton_condition(SectionReader& reader, Boundary& boundary, const Reading& reading);
 /// `side` of a section, complained of where the geometry has none of that name.
 std::string read_side(SectionReader& reader, const Reading& reading, const std::string& key = "side");
 

@@ -46,6 +46,7 @@ struct Stage {
   double largest_step = 0;  ///< s; 0: none
   double step_safety = 0.8;
   double local_damping = 0;
+  SkeletonMotion motion{};
   bool printed_mass_balance = false;
   Origin origin;
 };
@@ -55,6 +56,7 @@ enum class RainEntry { standard, martinelli_2020, bandara_2016, consistent_flux 
 
 struct MpmSettings {
   int points_per_cell = 4;
+  int threads = 1;
   double surface_in_cell = 1;  ///< filled fraction of the topmost row of cells, in (0, 1]
   RainEntry rain_entry = RainEntry::standard;
   double cpu_budget = 86400;  ///< s: nobody waits longer for what he did not mean to ask for
@@ -110,6 +112,7 @@ struct Scene {
   std::vector<Boundary> boundaries;
   std::vector<Probe> probes;
   std::vector<Stage> stages;
+  SkeletonSettings skeleton;
   MpmSettings mpm;
   std::optional<ReferenceSettings> reference;  ///< absent: nothing to compare with (a dry scene)
   Comparison comparison;

@@ -2,6 +2,7 @@
 
 #include "verification/scene/origin.h"
 #include "verification/scene/place_table.h"
+#include "verification/scene/skeleton.h"
 
 #include <array>
 #include <optional>
@@ -73,11 +74,6 @@ struct TabulatedPermeability {
   std::vector<double> relative;  ///< -
 };
 
-struct Elastic {
-  double young, poisson;
-  Origin origin;
-};
-
 /// Principal conductivities as factors on the saturated one; `along` is turned from x towards up by `angle`.
 struct Anisotropy {
   double along, across;  ///< across: upwards before turning
@@ -103,6 +99,8 @@ struct Soil {
   std::optional<PlaceTable> conductivity_field{};  ///< factors on the conductivity
   std::optional<double> specific_storage{};        ///< 1/m; absent: n rho g / K_l
   std::optional<Elastic> elastic;                  ///< absent: rigid skeleton
+  std::optional<Strength> strength{};              ///< absent: the skeleton stays elastic
+  std::optional<double> earth_pressure_at_rest{};  ///< K_0; absent: nu/(1-nu)
   Bishop bishop = Bishop::saturation;
   Origin origin;
 };

@@ -66,6 +66,34 @@ mpm::PermeabilitySpec permeability_of(const Soil& soil, double unit_weight) {
   return mpm::PointsPermeability{soil.table.suction, soil.table.relative};
 }
 
+mpm::MohrCoulomb frictional(const FrictionalStrength& strength, const Origin& origin) {
+  return {strength.friction, strength.cohesion, strength.dilatancy, strength.tension_cut_off, origin.text()};
+}
+
+mpm::SkeletonLaw law_of(const Soil& soil) {
+  const Strength& strength = *soil.strength;
+  const mpm::MohrCoulomb peak = frictional(strength.peak, strength.origin);
+  switch (strength.law) {
+    case Strength::Law::mohr_coulomb:
+      return peak;
+    case Strength::Law::softening:
+      return mpm::SofteningMohrCoulomb{peak, frictional(strength.residual, strength.origin), strength.softening_range};
+    case Strength::Law::suction:
+      return mpm::SuctionMohrCoulomb{peak, strength.suction_cohesion, strength.cohesion_rate, strength.friction_rate};
+    case Strength::Law::cam_clay:
+      break;
+  }
+  mpm::ModifiedCamClay clay{};
+  clay.critical_slope = strength.critical_slope;
+  clay.compression = strength.compression;
+  clay.swelling = strength.swelling;
+  clay.void_ratio = soil.porosity / (1 - soil.porosity);
+  clay.preconsolidation = strength.preconsolidation;
+  clay.least_pressure = 1000;
+  clay.origin = strength.origin.text();
+  return clay;
+}
+
 /// The tensor of principal factors turned by an angle from x towards up.
 std::array<double, 6> turned(const Anisotropy& a) {
   const double c = std::cos(a.angle), s = std::sin(a.angle);
@@ -88,6 +116,8 @@ mpm::Soil mpm_soil(const Scene& scene, const Soil& soil) {
     out.permeability = permeability_of(soil, unit_weight);
   }
   if (soil.elastic) out.elastic = mpm::Elastic{soil.elastic->young, soil.elastic->poisson, soil.elastic->origin.text()};
+  if (soil.strength) out.law = law_of(soil);
+  out.earth_pressure_at_rest = soil.earth_pressure_at_rest;
   if (soil.anisotropy) out.anisotropy = turned(*soil.anisotropy);
   if (soil.specific_storage) out.storage = *soil.specific_storage / unit_weight;
   if (soil.bishop == Bishop::effective_saturation) out.bishop = mpm::Bishop::effective_saturation;

@@ -5,6 +5,7 @@
 #include "verification/translate/lay_soils.h"
 #include "verification/translate/mpm_lacks.h"
 #include "verification/translate/mpm_sides.h"
+#include "verification/translate/mpm_skeleton.h"
 #include "verification/translate/mpm_soil.h"
 #include "verification/translate/scene_mesh.h"
 
@@ -49,6 +50,9 @@ mpm::Stage stage_of(const Stage& stage, double end_time) {
   out.largest_step = stage.largest_step;
   out.step_safety = stage.step_safety;
   out.local_damping = stage.local_damping;
+  out.motion = stage.motion.quasi_static ? mpm::SkeletonMotion::quasi_static : mpm::SkeletonMotion::dynamic;
+  out.relaxation.unbalanced_ratio = stage.motion.unbalanced_ratio;
+  out.relaxation.damping = stage.motion.relaxation_damping;
   out.mass_balance = stage.printed_mass_balance ? mpm::MassBalance::printed_2021 : mpm::MassBalance::conservative;
   out.origin = stage.origin.text();
   return out;
@@ -71,8 +75,10 @@ mpm::Problem<2> to_mpm(const Scene& scene, const meshes::Mesh& mesh, const Timel
   }
   problem.surface = surface_inside_cells(scene);
   problem.water_boundary = mpm_sides(scene);
-  for (const Boundary& boundary : scene.boundaries)
-    if (boundary.fixed) problem.fixities.push_back({boundary.side, *boundary.fixed, boundary.origin.text()});
+  add_skeleton_sides(scene, problem);
+  problem.skeleton = skeleton_scheme_of(scene.skeleton);
+  if (scene.skeleton.k0_stress) problem.initial_stress = mpm::InitialStress::k0;
+  problem.threads = scene.mpm.threads;
   for (const Probe& probe : scene.probes) problem.probes.push_back({probe.name, probe.position, probe.origin.text()});
   problem.points_per_cell = scene.mpm.points_per_cell;
   problem.rain_scheme = rain_scheme_of(scene.mpm.rain_entry);
