@@ -22,13 +22,13 @@ class LinearElastic {
   void begin(LawPoint<LinearElastic, dim, T>&) const {}
 
   template <int dim, class T>
-  void advance(LawPoint<LinearElastic, dim, T>& point, const StepGradient<dim, T>& step) const {
+  [[gnu::always_inline]] void advance(LawPoint<LinearElastic, dim, T>& point, const StepGradient<dim, T>& step) const {
     rotate<dim>(point.stress, step);
     add<dim>(point.stress, strain_of(step));
   }
   /// Stress of a strain, added.
   template <int dim, class T>
-  void add(SymmetricTensor<dim, T>& stress, const SymmetricTensor<dim, T>& strain) const {
+  [[gnu::always_inline]] void add(SymmetricTensor<dim, T>& stress, const SymmetricTensor<dim, T>& strain) const {
     const T volumetric = trace<dim>(strain) * lambda_;
     for (int k = 0; k < stress_components<dim>; ++k) stress[k] += strain[k] * (2 * shear_);
     for (int k = 0; k < 3; ++k) stress[k] += volumetric;

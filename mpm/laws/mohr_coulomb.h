@@ -33,8 +33,9 @@ auto may_yield(const SymmetricTensor<3, T>& stress, const MohrCoulombStrength<S>
 
 /// Brings a trial stress back to the surface if it lies outside. Says (per lane) whether it did.
 template <int dim, class T, class S>
-auto return_to_surface(SymmetricTensor<dim, T>& stress, const MohrCoulombReturn<S>& surface,
-                       const MohrCoulombStrength<S>& strength, bool cut_off) {
+[[gnu::always_inline]] inline auto return_to_surface(SymmetricTensor<dim, T>& stress,
+                                                     const MohrCoulombReturn<S>& surface,
+                                                     const MohrCoulombStrength<S>& strength, bool cut_off) {
   if constexpr (dim == 3)
     if (const auto may = may_yield(stress, strength, cut_off); !any(may)) return may;
   Principal<dim, T> principal(stress);
@@ -65,7 +66,7 @@ class MohrCoulombLaw {
   void begin(LawPoint<MohrCoulombLaw, dim, T>&) const {}
 
   template <int dim, class T>
-  void advance(LawPoint<MohrCoulombLaw, dim, T>& point, const StepGradient<dim, T>& step) const {
+  [[gnu::always_inline]] void advance(LawPoint<MohrCoulombLaw, dim, T>& point, const StepGradient<dim, T>& step) const {
     rotate<dim>(point.stress, step);
     elastic_.add<dim>(point.stress, strain_of(step));
     return_to_surface<dim>(point.stress, surface_, strength_, cut_off_);

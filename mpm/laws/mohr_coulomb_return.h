@@ -65,7 +65,7 @@ class MohrCoulombReturn {
 
   /// For trial values with f > 0.
   template <class T>
-  std::array<T, 3> without_cut_off(const std::array<T, 3>& trial) const {
+  [[gnu::always_inline]] std::array<T, 3> without_cut_off(const std::array<T, 3>& trial) const {
     const T flow = yield(trial[0], trial[2]) * per_face_;
     std::array<T, 3> out{trial[0] - flow * towards_first_, trial[1] - flow * towards_second_, T(0.0)};
     out[2] = third_on_surface(out[0]);
@@ -90,7 +90,8 @@ class MohrCoulombReturn {
 
  private:
   template <class T, class Mask>
-  void to_edge_or_apex(const std::array<T, 3>& trial, const Mask& off_face, std::array<T, 3>& out) const {
+  [[gnu::always_inline]] void to_edge_or_apex(const std::array<T, 3>& trial, const Mask& off_face,
+                                              std::array<T, 3>& out) const {
     // On which side of the plane through the apex along the face's flow the trial lies.
     const auto third_edge = trial[0] * side_[0] - trial[1] * 2.0 + trial[2] * side_[1] > 0.0;
     const T first_pair = (trial[0] + trial[1]) * 0.5, third_pair = (trial[1] + trial[2]) * 0.5;

@@ -17,7 +17,7 @@ class Principal;
 template <class T>
 class Principal<2, T> {
  public:
-  explicit Principal(const SymmetricTensor<2, T>& tensor)
+  [[gnu::always_inline]] explicit Principal(const SymmetricTensor<2, T>& tensor)
       : half_difference_((tensor[0] - tensor[1]) * 0.5), shear_(tensor[3]), out_of_plane_(tensor[2]) {
     const T mean = (tensor[0] + tensor[1]) * 0.5;
     radius_ = sqrt(half_difference_ * half_difference_ + shear_ * shear_);
@@ -26,7 +26,7 @@ class Principal<2, T> {
     values = {max(larger_, out_of_plane_), max(smaller_, min(larger_, out_of_plane_)), min(smaller_, out_of_plane_)};
   }
   /// The tensor with the present `values` on the axes of the original one.
-  SymmetricTensor<2, T> tensor() const {
+  [[gnu::always_inline]] SymmetricTensor<2, T> tensor() const {
     const auto zz_largest = out_of_plane_ > larger_, zz_smallest = out_of_plane_ < smaller_;
     const T larger = select(zz_largest, values[1], values[0]);
     const T smaller = select(zz_smallest, values[1], values[2]);

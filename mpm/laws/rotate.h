@@ -9,7 +9,7 @@ namespace wetfront::mpm {
 /// order it is W sigma - sigma W; Lee 2021 Eq. 16 has the opposite sign for this W, and Eq. 17 lacks the factor 1/2
 /// (benchmarks.md section 8, items 11 to 13).
 template <int dim, class T>
-void rotate(SymmetricTensor<dim, T>& stress, const StepGradient<dim, T>& step) {
+[[gnu::always_inline]] inline void rotate(SymmetricTensor<dim, T>& stress, const StepGradient<dim, T>& step) {
   if constexpr (dim == 2) {
     const T half = (step.plane[1][0] - step.plane[0][1]) * 0.25;  // tan of half the angle
     const T scale = T(1.0) / (half * half + 1.0);

@@ -23,7 +23,7 @@ struct StepGradient {
 
 /// The symmetric part. Lee 2021 Eq. 15 (integrated over the step).
 template <int dim, class T>
-SymmetricTensor<dim, T> strain_of(const StepGradient<dim, T>& step) {
+[[gnu::always_inline]] inline SymmetricTensor<dim, T> strain_of(const StepGradient<dim, T>& step) {
   SymmetricTensor<dim, T> strain{};
   for (int a = 0; a < dim; ++a) strain[a] = step.plane[a][a];
   strain[3] = (step.plane[0][1] + step.plane[1][0]) * 0.5;
