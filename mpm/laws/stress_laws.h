@@ -1,6 +1,11 @@
 #pragma once
 
+#include "mpm/laws/hencky.h"
+#include "mpm/laws/modified_cam_clay.h"
 #include "mpm/laws/mohr_coulomb.h"
+#include "mpm/laws/neo_hookean.h"
+#include "mpm/laws/softening_mohr_coulomb.h"
+#include "mpm/laws/suction_mohr_coulomb.h"
 
 #include <type_traits>
 
@@ -17,12 +22,13 @@ decltype(auto) with_stress_law(const Soil& soil, Body&& body) {
   return std::visit(
       [&](const auto& spec) -> decltype(auto) {
         using Spec = std::decay_t<decltype(spec)>;
-        if constexpr (std::is_same_v<Spec, MohrCoulomb>) {
-          return body(MohrCoulombLaw(*soil.elastic, spec));
-        } else {
-          throw CannotPlan("soil '" + soil.name + "' (" + soil.origin + ") has a stress law that is not there yet");
-          return body(LinearElastic(*soil.elastic));
-        }
+        const Elastic& elastic = *soil.elastic;
+        if constexpr (std::is_same_v<Spec, MohrCoulomb>) return body(MohrCoulombLaw(elastic, spec));
+        if constexpr (std::is_same_v<Spec, SofteningMohrCoulomb>) return body(SofteningMohrCoulombLaw(elastic, spec));
+        if constexpr (std::is_same_v<Spec, SuctionMohrCoulomb>) return body(SuctionMohrCoulombLaw(elastic, spec));
+        if constexpr (std::is_same_v<Spec, ModifiedCamClay>) return body(ModifiedCamClayLaw(elastic, spec));
+        if constexpr (std::is_same_v<Spec, NeoHookean>) return body(NeoHookeanLaw(elastic));
+        if constexpr (std::is_same_v<Spec, Hencky>) return body(HenckyLaw(elastic));
       },
       *soil.law);
 }
