@@ -1,5 +1,6 @@
 #include "verification/run/provenance.h"
 
+#include "mpm/isa.h"
 #include "verification/run/content_hash.h"
 #include "verification/run/version.h"
 
@@ -19,16 +20,6 @@ std::string processor() {
   return "unknown";
 }
 
-std::string instruction_set() {
-#if defined(__AVX2__)
-  return "x86-64-v3 (compiled in)";
-#elif defined(__x86_64__)
-  return "x86-64 baseline";
-#else
-  return "baseline of this architecture";
-#endif
-}
-
 }  // namespace
 
 std::map<std::string, std::string> provenance(const std::string& input, const meshes::Mesh& mesh) {
@@ -37,11 +28,16 @@ std::map<std::string, std::string> provenance(const std::string& input, const me
   grid.add(mesh.nodes);
   grid.add(mesh.cells);
   const std::time_t now = std::time(nullptr);
-  return {{"version", version::number},  {"git_hash", version::git_hash},
-          {"dirty", version::git_dirty}, {"input_hash", text.text()},
-          {"mesh_hash", grid.text()},    {"compiler", version::compiler},
-          {"isa", instruction_set()},    {"threads", "1"},
-          {"cpu", processor()},          {"date", fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(now))}};
+  return {{"version", version::number},
+          {"git_hash", version::git_hash},
+          {"dirty", version::git_dirty},
+          {"input_hash", text.text()},
+          {"mesh_hash", grid.text()},
+          {"compiler", version::compiler},
+          {"isa", mpm::instruction_set()},
+          {"threads", "1"},
+          {"cpu", processor()},
+          {"date", fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(now))}};
 }
 
 }  // namespace wetfront::verification
