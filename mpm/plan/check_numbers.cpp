@@ -1,33 +1,15 @@
 #include "mpm/plan/check_numbers.h"
 
+#include "mpm/plan/check_skeleton.h"
+#include "mpm/plan/want.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace wetfront::mpm {
 
 namespace {
-
-/// "origin: what is value (why)."
-[[noreturn]] void refuse(const Origin& origin, const std::string& what, double value, const std::string& why) {
-  std::ostringstream text;
-  if (!origin.empty()) text << origin << ": ";
-  text << what << " is " << value << " (" << why << "). Correct it";
-  throw CannotPlan(text.str());
-}
-
-void want_positive(const Origin& origin, const std::string& what, double value) {
-  if (!(value > 0 && std::isfinite(value))) refuse(origin, what, value, "it has to be positive and finite");
-}
-
-void want_between(const Origin& origin, const std::string& what, double value, double low, double high) {
-  if (!(value > low && value < high)) {
-    std::ostringstream why;
-    why << "it has to lie between " << low << " and " << high;
-    refuse(origin, what, value, why.str());
-  }
-}
 
 struct RetentionCheck {
   const Soil& soil;
@@ -93,17 +75,6 @@ void check_record(const Origin& origin, const std::string& what, const meshes::R
   }
 }
 
-void check_record(const Origin& origin, const std::string& what, const TimeRecord& record) {
-  if (record.time.size() != record.value.size())
-    refuse(origin, "length of the " + what + " record", static_cast<double>(record.value.size()),
-           "it has " + std::to_string(record.time.size()) + " times");
-  for (std::size_t k = 0; k < record.time.size(); ++k)
-    if (!std::isfinite(record.time[k]) || !std::isfinite(record.value[k]) ||
-        (k > 0 && record.time[k] < record.time[k - 1]))
-      refuse(origin, "entry " + std::to_string(k) + " of the " + what + " record", record.value[k],
-             "times and values have to be finite, and times must not fall");
-}
-
 struct BoundaryCheck {
   void operator()(const RainSide& b) const {
     check_record(b.origin, "rain", b.rain, 0);
@@ -167,6 +138,7 @@ void check_numbers(const Problem<dim>& problem) {
              "it has to be finite");
   for (double factor : problem.conductivity_factor) want_positive("", "a conductivity factor", factor);
   for (const auto& boundary : problem.water_boundary) std::visit(BoundaryCheck{}, boundary);
+  check_skeleton(problem);
   for (const Stage& stage : problem.stages) {
     want_positive(stage.origin, "end of stage '" + stage.name + "'", stage.end_time);
     want_positive(stage.origin, "time tolerance of stage '" + stage.name + "'", stage.time_tolerance);

@@ -70,6 +70,96 @@ const Spoilt all[] = {
 INSTANTIATE_TEST_SUITE_P(All, CheckNumbers, ::testing::ValuesIn(all),
                          [](const auto& info) { return std::string(info.param.name); });
 
+/// A dry column that deforms.
+Problem<2> deforming() {
+  Problem<2> problem = test::seed_column(3, 0.087, 0, 1);
+  problem.water.reset();
+  problem.initial_pressure.clear();
+  problem.water_boundary.clear();
+  problem.stages[0].liquid.reset();
+  problem.soils[0].elastic = Elastic{10e6, 0.3, "test:elastic"};
+  problem.fixities = {{"base", {true, true, true}, ""}};
+  return problem;
+}
+MohrCoulomb sand_strength() {
+  return {0.6, 0, 0, {}, "test:law"};
+}
+
+class CheckSkeleton : public ::testing::TestWithParam<Spoilt> {};
+
+TEST_P(CheckSkeleton, RefusesAndSaysWhat) {
+  Problem<2> problem = deforming();
+  ASSERT_NO_THROW(plan(problem));
+  GetParam().spoil(problem);
+  try {
+    plan(problem);
+    FAIL() << "accepted";
+  } catch (const CannotPlan& refused) {
+    EXPECT_THAT(refused.what(), ::testing::HasSubstr(GetParam().complaint));
+  }
+}
+
+const Spoilt skeletons[] = {
+    {"Young", [](auto& p) { p.soils[0].elastic->young = 0; }, "test:elastic: Young's modulus of soil 'sand' is 0"},
+    {"Poisson", [](auto& p) { p.soils[0].elastic->poisson = 0.5; }, "Poisson's ratio"},
+    {"Friction",
+     [](auto& p) {
+       MohrCoulomb law = sand_strength();
+       law.friction = 34;
+       p.soils[0].law = law;
+     },
+     "test:law: friction angle of soil 'sand' is 34"},
+    {"Dilatancy",
+     [](auto& p) {
+       MohrCoulomb law = sand_strength();
+       law.dilatancy = 0.7;
+       p.soils[0].law = law;
+     },
+     "work out of nothing"},
+    {"NoStrength",
+     [](auto& p) {
+       MohrCoulomb law = sand_strength();
+       law.friction = 0;
+       p.soils[0].law = law;
+     },
+     "which has no friction"},
+    {"Softening",
+     [](auto& p) {
+       p.soils[0].law = SofteningMohrCoulomb{sand_strength(), sand_strength(), 0};
+     },
+     "softening range"},
+    {"CamClay", [](auto& p) { p.soils[0].law = ModifiedCamClay{1.2, 0.02, 0.1, 0.8, 1e5, 1e3, "o"}; },
+     "compression of soil 'sand' is 0.02"},
+    {"BaseFriction",
+     [](auto& p) {
+       p.skeleton_boundary = {FrictionalContact{"base", -0.1, "test:base"}};
+     },
+     "test:base: friction of the base is -0.1"},
+    {"Pic", [](auto& p) { p.skeleton.pic = 1.1; }, "share of PIC"},
+    {"Threads", [](auto& p) { p.threads = 0; }, "number of threads"},
+    {"RelaxationDamping", [](auto& p) { p.stages[0].relaxation.damping = 1; }, "relaxation damping"},
+    {"RigidWithStrength",
+     [](auto& p) {
+       p.soils[0].elastic.reset();
+       p.soils[0].law = sand_strength();
+     },
+     "strength but no stiffness"},
+    {"RigidWithLoad",
+     [](auto& p) {
+       p.soils[0].elastic.reset();
+       p.skeleton_boundary = {Traction{"top", 1e3, {}, {}, "test:load"}};
+     },
+     "test:load: a load, contact or motion on a side of a rigid skeleton"},
+    {"RigidWithStress",
+     [](auto& p) {
+       p.soils[0].elastic.reset();
+       p.initial_stress = InitialStress::k0;
+     },
+     "rigid skeleton"},
+};
+INSTANTIATE_TEST_SUITE_P(All, CheckSkeleton, ::testing::ValuesIn(skeletons),
+                         [](const auto& info) { return std::string(info.param.name); });
+
 TEST(CheckNumbers, LetsIncompressibleWaterBe) {
   Problem<2> problem = test::seed_column(5, 0.087, 3e-5, 1);
   problem.water->bulk_modulus = std::numeric_limits<double>::infinity();
