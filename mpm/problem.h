@@ -379,6 +379,7 @@ struct Problem {
   /// Two dimensions: the line below which there is soil, from left to right [m]; cells above it are empty, cells it
   /// cuts are partly filled. Empty: every cell is full.
   std::vector<meshes::Point> surface{};
+  std::vector<char> empty_cells{};            ///< per mesh cell: 1 where there is no soil at the start; empty: none
   std::vector<double> conductivity_factor{};  ///< per mesh cell, times its soil's permeability [-]; empty: 1
   std::vector<WaterBoundary> water_boundary;
   std::vector<Fixity> fixities;

@@ -160,7 +160,8 @@ bool fill_cut_cell(const Grid<2>& grid, std::size_t cell, const std::vector<mesh
 }  // namespace
 
 template <int dim>
-MaterialPoints<dim> seed(const Grid<dim>& grid, int points_per_cell, const std::vector<meshes::Point>& surface) {
+MaterialPoints<dim> seed(const Grid<dim>& grid, int points_per_cell, const std::vector<meshes::Point>& surface,
+                         const std::vector<char>& empty_cells) {
   Rule rule{points_per_axis(points_per_cell, dim), {}, {}};
   gauss_legendre(rule.n, rule.place, rule.weight);
   if (dim != 2 && !surface.empty())
@@ -168,6 +169,10 @@ MaterialPoints<dim> seed(const Grid<dim>& grid, int points_per_cell, const std::
         "the scene has a surface inside cells in three dimensions (a line says where it is in two only). "
         "Let the mesh follow the surface");
   check_surface(surface);
+  if (!empty_cells.empty() && empty_cells.size() != grid.cell_count())
+    throw CannotPlan("the problem says for " + std::to_string(empty_cells.size()) +
+                     " cells whether they are empty, but has " + std::to_string(grid.cell_count()) +
+                     " (one entry belongs to each cell). Give all, or none");
   int regions = 0;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) regions = std::max(regions, grid.region(cell) + 1);
   Points<dim> points;
@@ -175,17 +180,22 @@ MaterialPoints<dim> seed(const Grid<dim>& grid, int points_per_cell, const std::
   for (int region = 0; region < regions; ++region)
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
       if (grid.region(cell) != region) continue;
+      if (!empty_cells.empty() && empty_cells[cell] != 0) {
+        points.count_of_cell[cell] = 0;
+        continue;
+      }
       if constexpr (dim == 2)
         if (!surface.empty() && fill_cut_cell(grid, cell, surface, rule, points)) continue;
       fill_cell(grid, cell, rule, points);
     }
   if (points.positions.empty())
     throw CannotPlan(
-        "the surface leaves no soil (every cell of the mesh lies above it). Raise it, or check its units [m]");
+        "what lies above the surface or is marked empty leaves no soil (it is every cell of the mesh). Raise the surface, "
+        "or check its units [m]");
   return MaterialPoints<dim>(grid, points.positions, points.volumes, points.count_of_cell);
 }
 
-template MaterialPoints<2> seed(const Grid<2>&, int, const std::vector<meshes::Point>&);
-template MaterialPoints<3> seed(const Grid<3>&, int, const std::vector<meshes::Point>&);
+template MaterialPoints<2> seed(const Grid<2>&, int, const std::vector<meshes::Point>&, const std::vector<char>&);
+template MaterialPoints<3> seed(const Grid<3>&, int, const std::vector<meshes::Point>&, const std::vector<char>&);
 
 }  // namespace wetfront::mpm

@@ -15,9 +15,11 @@ namespace wetfront::mpm {
 /// cuts are filled up to it: the part below is cut at the corners of the line into convex pieces, these into
 /// quadrilaterals and triangles with n x n points each (a triangle as a quadrilateral with two corners in one). Volumes
 /// are exact, fields are integrated exactly to degree 2n-2 at least. What is left of a cell below 1e-9 of it is
-/// dropped. Throws CannotPlan when `points_per_cell` is not n^dim with n in 1..5, or when the surface leaves no soil,
-/// is not from left to right or is given in three dimensions.
+/// dropped. Cells marked in `empty_cells` stay empty too, in any dimension. Throws CannotPlan when `points_per_cell` is
+/// not n^dim with n in 1..5, or when the surface leaves no soil, is not from left to right or is given in three
+/// dimensions.
 template <int dim>
-MaterialPoints<dim> seed(const Grid<dim>& grid, int points_per_cell, const std::vector<meshes::Point>& surface = {});
+MaterialPoints<dim> seed(const Grid<dim>& grid, int points_per_cell, const std::vector<meshes::Point>& surface = {},
+                         const std::vector<char>& empty_cells = {});
 
 }  // namespace wetfront::mpm

@@ -9,7 +9,7 @@ namespace wetfront::mpm {
 
 template <int dim>
 Fields<dim>::Fields(const Problem<dim>& problem)
-    : grid(problem.mesh), points(seed<dim>(grid, problem.points_per_cell, problem.surface)) {}
+    : grid(problem.mesh), points(seed<dim>(grid, problem.points_per_cell, problem.surface, problem.empty_cells)) {}
 
 template <int dim>
 StagePlan<dim>::StagePlan(const Problem<dim>& problem_, std::size_t stage_index, Fields<dim>& fields_)

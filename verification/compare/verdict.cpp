@@ -88,27 +88,6 @@ std::array<std::ptrdiff_t, 3> rank(const Finding& finding) {
 
 }  // namespace
 
-Verdict verdict(double error, double reference_bound, double tolerance) {
-  if (std::isnan(error) || !(reference_bound <= tolerance)) return Verdict::inconclusive;
-  if (error + reference_bound <= tolerance) return Verdict::pass;
-  if (error - reference_bound > tolerance) return Verdict::fail;
-  return Verdict::inconclusive;
-}
-
-const char* word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "PASS";
-    case Verdict::fail:
-      return "FAIL";
-    case Verdict::inconclusive:
-      return "INCONCLUSIVE";
-    case Verdict::info:
-      return "no gate";
-  }
-  return "";
-}
-
 std::vector<Finding> judge(const Scene& scene, const Timeline& timeline, const std::vector<Measurement>& measurements,
                            double cpu_seconds) {
   const auto& tolerances = scene.comparison.tolerances;
@@ -133,16 +112,6 @@ std::vector<Finding> judge(const Scene& scene, const Timeline& timeline, const s
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return rank(a) < rank(b); });
   return findings;
-}
-
-Verdict overall(const std::vector<Finding>& findings) {
-  Verdict worst = Verdict::info;
-  for (const Finding& finding : findings) {
-    if (finding.verdict == Verdict::fail) return Verdict::fail;
-    if (finding.verdict == Verdict::inconclusive) worst = Verdict::inconclusive;
-    if (finding.verdict == Verdict::pass && worst == Verdict::info) worst = Verdict::pass;
-  }
-  return worst;
 }
 
 }  // namespace wetfront::verification

@@ -48,15 +48,8 @@ CaseBook::CaseBook(const Case& test) {
            {}};
 }
 
-meshes::FieldHistory CaseBook::solve(const std::string& label, const fem_reference::RichardsProblem& problem) {
-  try {
-    meshes::FieldHistory history = fem_reference::solve(problem);
-    enter(label, history, problem.tolerance);
-    return history;
-  } catch (const fem_reference::GaveUp& failure) {
-    enter(label + " (gave up)", failure.partial, problem.tolerance);
-    throw;
-  }
+void CaseBook::sign(const meshes::Mesh& mesh) {
+  record_.provenance = provenance(record_.case_name, mesh);
 }
 
 void CaseBook::enter(const std::string& label, const meshes::FieldHistory& history, double tolerance) {
@@ -65,7 +58,7 @@ void CaseBook::enter(const std::string& label, const meshes::FieldHistory& histo
   balance.worst = std::max(balance.worst, imbalance);
   ++balance.runs;
   const double dofs = counter(history, "degrees of freedom");
-  if (dofs >= degrees_of_freedom_) record_.provenance = provenance(record_.case_name, history.mesh);
+  if (dofs >= degrees_of_freedom_) sign(history.mesh);
   degrees_of_freedom_ = std::max(degrees_of_freedom_, dofs);
   record_.cpu_seconds += history.cpu_seconds;
   runs_.rows.push_back({label, fmt::format("{:g}", dofs), fmt::format("{:g}", tolerance),
@@ -89,7 +82,7 @@ meshes::FieldHistory CaseBook::solve(const std::string& label, const mpm::Proble
 void CaseBook::enter(const std::string& label, const mpm::Problem<2>& problem, const meshes::FieldHistory& history) {
   point_runs_.enter(label, problem, history);
   const double nodes = static_cast<double>(history.mesh.node_count());
-  if (nodes >= degrees_of_freedom_) record_.provenance = provenance(record_.case_name, history.mesh);
+  if (nodes >= degrees_of_freedom_) sign(history.mesh);
   spend(history.cpu_seconds, nodes);
 }
 

@@ -1,0 +1,161 @@
+#include "verification/suites/mechanics/manufactured_motions.h"
+#include "verification/exact/axis_aligned_motion.h"
+#include "verification/exact/generalized_vortex.h"
+#include "verification/present/figure_frame.h"
+#include "verification/suites/mechanics/families.h"
+#include "verification/suites/mechanics/motion_setups.h"
+#include "verification/suites/series.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace wetfront::verification {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double young = 1e4, density = 1000, amplitude = 0.05;
+
+exact::AxisAlignedSolution axis_aligned(int dim, double poisson) {
+  const double lame = young * poisson / ((1 + poisson) * (1 - 2 * poisson)), shear = young / (2 * (1 + poisson));
+  return exact::AxisAlignedSolution({dim, lame, shear, density, amplitude, std::sqrt(young / density), {0, pi, 0}});
+}
+
+double period() {
+  return 2 / std::sqrt(young / density);
+}
+
+/// rms of the error of the displacement over the points, relative to `scale`, at the worst output time.
+template <class Position>
+double worst_error(const Motion<2>& motion, double scale, const Position& position) {
+  double worst = 0;
+  for (const auto& cloud : motion.clouds) {
+    const double squares = cloud.mean([&](std::size_t p) {
+      const auto exact = position(cloud.origin[p], cloud.time);
+      return std::pow(cloud.position[p][0] - exact[0], 2) + std::pow(cloud.position[p][1] - exact[1], 2);
+    });
+    worst = std::max(worst, std::sqrt(squares) / scale);
+  }
+  return worst;
+}
+
+}  // namespace
+
+ManufacturedMotion axis_aligned_motion() {
+  const auto exact = std::make_shared<exact::AxisAlignedSolution>(axis_aligned(2, 0.3));
+  ManufacturedMotion out;
+  out.problem = [exact](int cells, const mpm::SkeletonScheme& scheme) {
+    auto problem =
+        dry_problem<2>(rectangle_mesh(1, 1, cells, cells), dry_soil(density, young, 0.3), evenly(period(), 8));
+    problem.soils[0].law = mpm::NeoHookean{"suite"};
+    problem.skeleton = scheme;
+    add_rollers(problem, {"left", "right", "base", "top"});
+    problem.initial_velocity = [exact](const std::array<double, 2>& at) {
+      const auto v = exact->velocity({at[0], at[1], 0}, 0);
+      return std::array{v[0], v[1]};
+    };
+    problem.body_acceleration = [exact](const std::array<double, 2>& at, double t) {
+      const auto b = exact->body_force({at[0], at[1], 0}, t);
+      return std::array{b[0], b[1]};
+    };
+    return problem;
+  };
+  out.error = [exact](const Motion<2>& motion) {
+    return worst_error(motion, amplitude, [&](const std::array<double, 2>& x, double t) {
+      const auto u = exact->displacement({x[0], x[1], 0}, t);
+      return std::array{x[0] + u[0], x[1] + u[1]};
+    });
+  };
+  return out;
+}
+
+ManufacturedMotion vortex_motion() {
+  const auto exact = std::make_shared<exact::GeneralizedVortexSolution>(exact::GeneralizedVortex{});
+  constexpr double half = 1.28;  // the ring reaches to 1.25; beyond it all is at rest
+  const auto centred = [](const std::array<double, 2>& at) { return std::array{at[0] - half, at[1] - half}; };
+  ManufacturedMotion out;
+  out.problem = [exact, centred](int cells, const mpm::SkeletonScheme& scheme) {
+    auto problem =
+        dry_problem<2>(rectangle_mesh(2 * half, 2 * half, cells, cells), dry_soil(1000, 1000, 0.3), evenly(1, 5));
+    problem.soils[0].law = mpm::NeoHookean{"suite"};
+    problem.skeleton = scheme;
+    for (const char* side : {"left", "right", "base", "top"})
+      problem.fixities.push_back({side, {true, true, false}, "suite"});
+    problem.initial_velocity = [exact, centred](const std::array<double, 2>& at) {
+      return exact->velocity(centred(at), 0);
+    };
+    problem.body_acceleration = [exact, centred](const std::array<double, 2>& at, double t) {
+      return exact->body_force(centred(at), t);
+    };
+    return problem;
+  };
+  out.error = [exact, centred](const Motion<2>& motion) {
+    return worst_error(motion, 1, [&](const std::array<double, 2>& x, double t) {
+      const auto at = exact->position(centred(x), t);
+      return std::array{at[0] + half, at[1] + half};
+    });
+  };
+  return out;
+}
+
+namespace {
+
+struct Ladder {
+  ManufacturedMotion motion;
+  std::vector<int> cells;
+  OrderGate splines;
+  std::string crossing;  ///< where points begin to cross cells
+};
+
+void climb(const Ladder& ladder, MotionBook& book) {
+  auto figure = figure_frame({"error_over_cells", "Error over the number of cells", "Convergence"}, {"cells", "-"},
+                             {"rms error of the displacement, relative", "-"});
+  figure.log_x = figure.log_y = true;
+  auto second = dashed("second order");
+  for (const auto shape : {mpm::ShapeFunctions::quadratic_spline, mpm::ShapeFunctions::linear}) {
+    mpm::SkeletonScheme scheme;
+    scheme.shape = shape;
+    scheme.locking = mpm::LockingRemedy::none;  // nothing locks here
+    auto curve = line(scheme_text(scheme));
+    for (const int cells : ladder.cells)
+      put(curve, cells,
+          ladder.motion.error(
+              book.move<2>(fmt::format("{}, {} cells", curve.label, cells), ladder.motion.problem(cells, scheme))));
+    for (std::size_t i = 1; i < curve.x.size(); ++i) {
+      const double order = std::log2(curve.y[i - 1] / curve.y[i]);
+      const std::string text =
+          fmt::format("observed order, {}, {:g} to {:g} cells", curve.label, curve.x[i - 1], curve.x[i]);
+      if (shape == mpm::ShapeFunctions::quadratic_spline)
+        book.page.judge_order("order", text, order, ladder.splines);
+      else
+        book.page.show("order_linear", text + " (" + ladder.crossing + ")", order, "orders");
+    }
+    if (shape == mpm::ShapeFunctions::quadratic_spline)
+      for (const double cells : curve.x) put(second, cells, curve.y.front() * std::pow(curve.x.front() / cells, 2));
+    figure.series.push_back(curve);
+  }
+  figure.series.push_back(second);
+  book.page.draw(figure);
+}
+
+}  // namespace
+
+std::vector<Case> manufactured_motion_cases() {
+  const std::string requirement =
+      "The error falls with the order 1.5 or more with quadratic splines; where linear cells stop is shown.";
+  const std::string source = "Kamojjala et al. 2015; body forces of benchmarks.md section 6.";
+  const OrderGate gate{1.5, 2.6, "the issue asks for 1.5; quadratic splines on points as quadrature give about 2"};
+  const auto climbing = [gate](const ManufacturedMotion& motion, std::vector<int> cells, std::string crossing) {
+    return [=](MotionBook& book) { climb({motion, cells, gate, crossing}, book); };
+  };
+  return {
+      motion_case({"axis_aligned", "M1 Axis-aligned manufactured motion", requirement, source, Effort::everyday, {}},
+                  climbing(axis_aligned_motion(), {8, 16, 32, 64},
+                           "points move by 0.05: they cross cells from 8 cells on, several from 32 on")),
+      motion_case({"vortex", "M1 Generalized vortex", requirement, source, Effort::everyday, {}},
+                  climbing(vortex_motion(), {16, 32, 64}, "points turn by up to 1 rad: they cross up to 20 cells"))};
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "verification/suites/case_book.h"
+#include "verification/suites/mechanics/motion.h"
+
+#include <functional>
+#include <string>
+
+namespace wetfront::verification {
+
+/// The book of a case whose skeleton moves: runs problems, keeps the table of runs (points, steps, crossings, CPU) and
+/// judges what every such run owes, whatever the case is about: momentum balanced to round-off, energy as the scheme
+/// promises.
+class MotionBook {
+ public:
+  explicit MotionBook(CaseBook& page);
+
+  /// Runs and enters the run. Throws mpm::CannotPlan and mpm::GaveUp.
+  template <int dim>
+  Motion<dim> move(const std::string& label, const mpm::Problem<dim>& problem,
+                   const std::function<bool(const Cloud<dim>&)>& enough = nullptr);
+  void finish();  ///< the table, and the balances as findings
+  CaseBook& page;
+
+ private:
+  void enter(const std::string& label, const meshes::FieldHistory& history, std::size_t points);
+  reports::Table runs_;
+};
+
+/// A case whose page is written through a MotionBook.
+Case motion_case(Case heading, std::function<void(MotionBook&)> run);
+
+}  // namespace wetfront::verification

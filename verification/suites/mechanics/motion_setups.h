@@ -1,0 +1,37 @@
+#pragma once
+
+#include "mpm/problem.h"
+#include "verification/suites/box_mesh.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What the problems of the suite have in common: dry soil, one dynamic stage. SI units.
+namespace wetfront::verification {
+
+/// Elastic soil without water whose bulk (dry) density is `density`: half of it pores.
+mpm::Soil dry_soil(double density, double young, double poisson);
+/// The same, limited by Mohr and Coulomb. Angles in rad.
+mpm::Soil frictional_soil(double density, const mpm::Elastic& elastic, const mpm::MohrCoulomb& strength);
+
+/// One soil in a mesh, a dynamic stage until the last of `times`, outputs at these.
+template <int dim>
+mpm::Problem<dim> dry_problem(meshes::Mesh mesh, mpm::Soil soil, const std::vector<double>& times);
+
+/// Keeps sides of a box_mesh from moving along their normals.
+template <int dim>
+void add_rollers(mpm::Problem<dim>& problem, const std::vector<std::string>& sides);
+
+/// Leaves soil only in cells whose centre satisfies `inside`.
+template <int dim>
+void fill_only(mpm::Problem<dim>& problem, const std::function<bool(const meshes::Point&)>& inside);
+
+/// `count` times from end/count to end.
+std::vector<double> evenly(double end, int count);
+
+/// "linear", "linear, B-bar", "quadratic splines", with "APIC" or a share of PIC: what differs from plain MUSL with
+/// FLIP.
+std::string scheme_text(const mpm::SkeletonScheme& scheme);
+
+}  // namespace wetfront::verification
