@@ -26,16 +26,18 @@ struct Slope {
 struct MeshFile {
   std::filesystem::path path;  ///< user's .msh, sides and regions as named physical groups
 };
-/// A rectangle (two sizes) or a box in space (three), its lower corner at the origin; the last direction is up.
-struct Box {
-  std::vector<double> size;  ///< m
-  std::vector<int> cells;
-  int dim() const { return static_cast<int>(size.size()); }
-};
 /// Places along x, ascending, and an elevation at each; straight between them, level beyond.
 struct Polyline {
   std::vector<double> x, y;  ///< m
   double at(double position) const;
+};
+/// A rectangle (two sizes) or a box in space (three), its lower corner at the origin; the last direction is up.
+struct Box {
+  std::vector<double> size;  ///< m
+  std::vector<int> cells;
+  /// Soil lies below this line, cells above it are empty; a place given twice is an upright face. Empty: full.
+  Polyline surface{};
+  int dim() const { return static_cast<int>(size.size()); }
 };
 /// Ground between two lines.
 struct GroundProfile {

@@ -37,6 +37,8 @@ std::vector<Key> ground_keys() {
     {"geometry.box", "size", Takes::vector, "m", required, "", "width and height; or width, depth and height", R"(["5 m", "3 m"])", {"1 mm", "100 km"}},
     {"geometry.box", "cells", Takes::counts, "", required, "", "cells in the same directions", "[50, 30]", {"1", "100000"}},
 
+    {"geometry.box", "surface", Takes::pairs, "", optional, "", "soil lies below this line and cells above it are empty, room for a body to run out into; straight between the points, a place given twice is an upright face; full when absent", R"([["0 m", "1 m"], ["1 m", "1 m"], ["1 m", "0 m"], ["4 m", "0 m"]])", {}, {}, "", {}, line},
+
     {"layer", "soil", Takes::text, "", required, "", "name of its soil", "loam"},
     {"layer", "thickness", Takes::quantity, "m", optional, "", "vertical thickness, the same everywhere", "0.5 m", {"0.1 mm", "10 km", true}},
     {"layer", "bottom", Takes::quantity, "m", optional, "", "its lower boundary is level, at this elevation", "0.7 m", {"-100 km", "100 km"}},

@@ -43,8 +43,24 @@ GroundProfile read_profile(SectionReader& reader, const std::filesystem::path& f
   return profile;
 }
 
-Box read_box(SectionReader& reader) {
-  Box box{reader.vector("size"), reader.counts("cells")};
+/// Cells above the line are empty: room for a body to run out into.
+void read_body(SectionReader& reader, Box& box, const Reading& reading) {
+  if (!reader.has("surface")) return;
+  Rows rows = read_pairs(reader, "surface", reading.folder());
+  check_ascending(rows, 0, false, "the x of surface");
+  if (rows.size() == 1) rows.complain(0, {"surface is a single point", "a line needs two", "Add where it ends."});
+  if (box.dim() == 3)
+    reader.complain("surface", {"a box in space takes no surface line", "it would have to be a surface in space",
+                                "Describe a section of it, or leave the line out."});
+  if (reading.has_reference())
+    reader.complain("surface", {"the reference has no cells that are empty", "its mesh follows the ground",
+                                "Use a profile, or leave [reference] and its gates out."});
+  if (rows.size() >= 2) box.surface = {rows.column[0], rows.column[1]};
+}
+
+Box read_box(SectionReader& reader, const Reading& reading) {
+  Box box{reader.vector("size"), reader.counts("cells"), {}};
+  read_body(reader, box, reading);
   if (!box.size.empty() && !box.cells.empty() && box.size.size() != box.cells.size())
     reader.complain("cells", {fmt::format("cells has {} numbers and size {}", box.cells.size(), box.size.size()),
                               "each direction needs both", "Write as many as there are sizes."});
@@ -128,7 +144,7 @@ void read_geometry(Reading& reading) {
     profile->finish();
   }
   if (auto box = section->table("box")) {
-    geometry.shape = read_box(*box);
+    geometry.shape = read_box(*box, reading);
     box->finish();
   }
   section->finish();

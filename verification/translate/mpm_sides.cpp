@@ -1,6 +1,7 @@
 #include "verification/translate/mpm_sides.h"
 
 #include "verification/scene/weather.h"
+#include "verification/translate/scene_mesh.h"
 
 namespace wetfront::verification {
 namespace {
@@ -9,7 +10,7 @@ const meshes::RainRecord dry{{0}, {0}};
 
 class Sides {
  public:
-  explicit Sides(const Scene& scene) : scene_(scene) {}
+  explicit Sides(const Scene& scene) : scene_(scene), surface_inside_cells_(!surface_inside_cells(scene).empty()) {}
 
   std::vector<mpm::WaterBoundary> all() {
     for (const Rain& rain : scene_.rains)
@@ -24,7 +25,7 @@ class Sides {
  private:
   /// Name of a side in the mesh of the points.
   std::string name(const std::string& side) const {
-    return scene_.mpm.surface_in_cell < 1 && side == "top" ? mpm::free_surface : side;
+    return surface_inside_cells_ && side == "top" ? mpm::free_surface : side;
   }
 
   void add_weather(const std::string& side, const Origin& origin, const Rain* rain) {
@@ -79,6 +80,7 @@ class Sides {
   }
 
   const Scene& scene_;
+  bool surface_inside_cells_;
   std::vector<mpm::WaterBoundary> sides_;
 };
 

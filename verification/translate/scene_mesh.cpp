@@ -98,6 +98,8 @@ meshes::Mesh mpm_mesh(const Scene& scene) {
 
 std::vector<meshes::Point> surface_inside_cells(const Scene& scene) {
   std::vector<meshes::Point> line;
+  if (const Box* box = std::get_if<Box>(&scene.geometry.shape))
+    for (std::size_t i = 0; i < box->surface.x.size(); ++i) line.push_back({box->surface.x[i], box->surface.y[i], 0});
   if (!(scene.mpm.surface_in_cell < 1)) return line;
   for (const double x : stations(scene.geometry)) line.push_back({x, surface_at(scene.geometry, x), 0});
   return line;

@@ -9,8 +9,8 @@ namespace wetfront::verification {
 /// reaches above the ground where the surface lies inside it.
 meshes::Mesh mpm_mesh(const Scene& scene);
 
-/// Where the surface lies inside the topmost row of cells ([mpm] surface_in_cell) the line of the ground, from left to
-/// right [m]; else empty. The background grid then reaches above it.
+/// The line of the ground, from left to right [m], where it does not follow the sides of cells: inside the topmost row
+/// ([mpm] surface_in_cell), or in a box with empty cells above its soil; else empty.
 std::vector<meshes::Point> surface_inside_cells(const Scene& scene);
 
 /// The mesh of the reference: a line for a column, `cells` over its height; quadrilaterals (hexahedra) for the other
