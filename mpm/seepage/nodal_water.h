@@ -35,6 +35,11 @@ struct NodalWater {
   std::vector<std::function<void(double begin, double end)>> before_solve;
   /// Shorten what Newton's method wants at nodes whose balance has a kink on the way from `start` to `trial`.
   std::vector<std::function<void(const std::vector<double>& start, double* trial)>> limits;
+  /// Told when points have moved and what depends on their places is made anew.
+  std::vector<std::function<void()>> moved;
+  /// After the first solve of a step (pass 0) and those that follow: lets the skeleton follow; true when the flow has
+  /// to be solved again. Empty: rigid.
+  std::function<bool(int pass)> settle;
   std::vector<Cumulative> cumulative;
   std::unique_ptr<SparseSystem> matrix;  ///< of dF/dp; terms add dt-free dR/dp here, `seepage` scales
 

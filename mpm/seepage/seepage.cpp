@@ -40,21 +40,38 @@ void Seepage<dim>::provide_columns(StagePlan<dim>& plan) {
 
 template <int dim>
 void Seepage<dim>::prepare(StagePlan<dim>& plan) {
-  constexpr int n = cell_nodes<dim>;
-  const auto& points = plan.fields.points;
+  if (skeleton_ != nullptr) return skeleton_->ready();
   const Column &volume = *plan.fields.points.columns.find("volume"),
                &value = *plan.fields.points.columns.find("shape value");
   columns_.pore_volume->fill(0);
-  std::vector<std::pair<int, int>> couplings;
   for (std::size_t region = 0; region < plan.problem.soils.size(); ++region)
-    for (const Block& block : points.blocks(static_cast<int>(region))) {
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) couplings.emplace_back(block.nodes[i], block.nodes[j]);
+    for (const Block& block : plan.fields.points.blocks(static_cast<int>(region)))
       for (std::size_t q = block.first; q < block.first + block.count; ++q)
-        for (int i = 0; i < n; ++i)
+        for (int i = 0; i < cell_nodes<dim>; ++i)
           (*columns_.pore_volume)[static_cast<int>(region)][block.nodes[i]] +=
               plan.problem.soils[region].porosity * volume[0][q] * value[i][q];
-    }
+  build_matrix(plan);
+  measure_cells(plan);
+  step_->prepare();
+}
+
+template <int dim>
+void Seepage<dim>::follow_points(StagePlan<dim>& plan, bool cells_changed) {
+  if (cells_changed || water_->matrix == nullptr) build_matrix(plan);
+  measure_cells(plan);
+  step_->prepare();
+  for (const auto& tell : water_->moved) tell();
+}
+
+template <int dim>
+void Seepage<dim>::build_matrix(StagePlan<dim>& plan) {
+  constexpr int n = cell_nodes<dim>;
+  const auto& points = plan.fields.points;
+  std::vector<std::pair<int, int>> couplings;
+  for (std::size_t region = 0; region < plan.problem.soils.size(); ++region)
+    for (const Block& block : points.blocks(static_cast<int>(region)))
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) couplings.emplace_back(block.nodes[i], block.nodes[j]);
   water_->ties.add_couplings(couplings);
   water_->matrix = std::make_unique<SparseSystem>(static_cast<int>(plan.fields.grid.node_count()), couplings);
   water_->ties.prepare(*water_->matrix, couplings);
@@ -64,8 +81,6 @@ void Seepage<dim>::prepare(StagePlan<dim>& plan) {
       for (int j = 0; j < n; ++j)
         slots_[block.cell * n * n + static_cast<std::size_t>(i * n + j)] =
             water_->matrix->slot(block.nodes[i], block.nodes[j]);
-  measure_cells(plan);
-  step_->prepare();
 }
 
 template <int dim>
@@ -93,15 +108,22 @@ void Seepage<dim>::join(StagePlan<dim>& plan) {
     const TabulatedSoilWater laws = tabulated_soil_water(soil, *plan.problem.water);
     soils_.push_back({SoilContent(soil, laws.curve, plan.problem.water->bulk_modulus), laws.permeability});
     scale = std::min(scale, laws.curve.pressure_scale());
+    contents_.push_back(soils_.back().content);
   }
+  if (skeleton_ != nullptr)
+    skeleton_->join(plan, *water_, columns_, contents_, [this, &plan](bool changed) { follow_points(plan, changed); });
   add_storage(plan);
   add_flux(plan);
   step_ = std::make_unique<SeepageStep<dim>>(plan, *water_, columns_, scale);
+  if (skeleton_ != nullptr) plan.add(Phase::pressure, "places of the points", [this] { skeleton_->begin_step(); });
   plan.add(Phase::pressure, "Newton's method and step control", [this] { step_->run(); });
   for (const auto& add : after_step_) add();
   plan.at_ready([this, &plan] { prepare(plan); });
+  if (skeleton_ != nullptr)
+    add_moving_points(plan);
+  else
+    add_point_update(plan);
   add_ledger(plan);
-  add_point_update(plan);
   add_output(plan);
   plan.at_entry([this, &plan] { (*columns_.steps)[step_proposal][0] = plan.stage.end_time - plan.begin_time(); });
   // Measured (README section 7): steps grow with tolerance^{-1/3} (BDF2) from 170 at 1e-4; per step and point 1.5 us,

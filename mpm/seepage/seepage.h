@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/coupling/fixed_stress.h"
 #include "mpm/seepage/nodal_water.h"
 #include "mpm/seepage/seepage_step.h"
 #include "mpm/seepage/soil_content.h"
@@ -17,13 +18,16 @@ namespace wetfront::mpm {
 template <int dim>
 class Seepage : public Effect<dim> {
  public:
-  Seepage(Origin origin, LiquidScheme scheme, std::shared_ptr<NodalWater<dim>> water)
+  /// `skeleton`: the split with a skeleton that deforms; null: rigid.
+  Seepage(Origin origin, LiquidScheme scheme, std::shared_ptr<NodalWater<dim>> water,
+          std::unique_ptr<FixedStress<dim>> skeleton = nullptr)
       : Effect<dim>(
             scheme == LiquidScheme::seepage ? "seepage" : "semi-implicit liquid", std::move(origin),
             scheme == LiquidScheme::seepage
                 ? "Lee 2021 Eqs 1 and 4 without inertia, Eq. 4 in flux form; Eqs 5 to 8; mpm/README.md section 3"
                 : "Lee 2021 Eqs 1 and 4 in flux form, v_s = 0; Eqs 5 to 8; mpm/README.md section 3"),
-        water_(std::move(water)) {}
+        water_(std::move(water)),
+        skeleton_(std::move(skeleton)) {}
   void join(StagePlan<dim>& plan) override;
 
  private:
@@ -38,11 +42,16 @@ class Seepage : public Effect<dim> {
   void add_ledger(StagePlan<dim>& plan);
   void add_output(StagePlan<dim>& plan);
   void prepare(StagePlan<dim>& plan);
+  void build_matrix(StagePlan<dim>& plan);
+  void follow_points(StagePlan<dim>& plan, bool cells_changed);
+  void add_moving_points(StagePlan<dim>& plan);
   void measure_cells(const StagePlan<dim>& plan);
 
   std::shared_ptr<NodalWater<dim>> water_;
   SeepageColumns columns_;
-  std::vector<SoilLaws> soils_;   ///< of every region
+  std::unique_ptr<FixedStress<dim>> skeleton_;
+  std::vector<SoilLaws> soils_;  ///< of every region
+  std::vector<SoilContent> contents_;
   std::vector<int> slots_;        ///< matrix entries of every cell, cell_nodes^2 each
   std::vector<double> mobility_;  ///< k/mu of every cell [m2/(Pa s)]
   std::vector<double> reach_;     ///< half the box of every point, in local coordinates

@@ -47,11 +47,26 @@ void Seepage<dim>::add_point_update(StagePlan<dim>& plan) {
 }
 
 template <int dim>
+void Seepage<dim>::add_moving_points(StagePlan<dim>& plan) {
+  Column& ledger = plan.require_on_run("water ledger");
+  const auto add_up = [this, &ledger] { ledger[ledger_stored_points][0] = skeleton_->carried().total(); };
+  plan.add(Phase::saturation, "points take what nodes gained", [this, add_up] {
+    skeleton_->end_step();
+    add_up();
+  });
+  plan.at_begin([this, add_up] {
+    skeleton_->begin_stage();
+    add_up();
+  });
+}
+
+template <int dim>
 void Seepage<dim>::add_ledger(StagePlan<dim>& plan) {
   Column& ledger = plan.provide_on_run(water_ledger_spec());
   Column& outflow = plan.require_on_nodes("outflow");
   const auto write = [this, &ledger, &outflow] {
-    ledger[ledger_stored][0] = columns_.stored->sum();
+    // Points that move carry their water: what they hold is what there is.
+    ledger[ledger_stored][0] = skeleton_ != nullptr ? skeleton_->carried().total() : columns_.stored->sum();
     ledger[ledger_outflow][0] = outflow.sum();
   };
   plan.add(Phase::carry, "water ledger", write);
@@ -92,6 +107,8 @@ void Seepage<dim>::add_output(StagePlan<dim>& plan) {
 
 template void Seepage<2>::add_point_update(StagePlan<2>&);
 template void Seepage<3>::add_point_update(StagePlan<3>&);
+template void Seepage<2>::add_moving_points(StagePlan<2>&);
+template void Seepage<3>::add_moving_points(StagePlan<3>&);
 template void Seepage<2>::add_ledger(StagePlan<2>&);
 template void Seepage<3>::add_ledger(StagePlan<3>&);
 template void Seepage<2>::add_output(StagePlan<2>&);

@@ -148,6 +148,18 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
   return false;
 }
 
+/// Lets a deforming skeleton follow, and the flow that, until they agree.
+template <int dim>
+bool SeepageStep<dim>::couple(const Bdf2Weights& weights, double dt) {
+  if (!water_.settle) return true;
+  for (int pass = 0; water_.settle(pass); ++pass) {
+    for (const auto& held : water_.held) (*water_.trial)[0][held.node] = held.pressure;
+    water_.ties.copy_pressure((*water_.trial)[0]);
+    if (!newton(weights, dt)) return false;
+  }
+  return true;
+}
+
 /// A full box of incompressible water without an outlet: fluxes balance at any level of the pressure, and the matrix
 /// has no inverse. One node is kept from moving, which changes nothing where the box is in balance; where water is
 /// pressed into it no solution exists and none is found.
@@ -235,7 +247,8 @@ void SeepageStep<dim>::run() {
       if (measured && error <= 1) shortest_in_a_row_ = 0;
       if (jumps && dt * factor < smallest_step) ++shortest_in_a_row_;
       if (shortest_in_a_row_ > most_shortest_in_a_row) give_up(dt);
-      if (error <= 1 || jumps) {
+      const bool good = error <= 1 || jumps;
+      if (good && couple(f.weights, dt)) {
         if (dt < clock.dt) clock.end = clock.time + dt;
         clock.dt = dt;
         accept(f, dt);
@@ -247,6 +260,7 @@ void SeepageStep<dim>::run() {
         (*c_.steps)[step_proposal][0] = dt * factor;
         return;
       }
+      if (good) factor = 0.5;
       ++rejected_steps;
     } else {
       ++failed_solves;

@@ -52,6 +52,7 @@ class SeepageStep {
   void evaluate();
   double residual(const Bdf2Weights& weights, double dt);  ///< largest |F_i| / pore volume
   bool newton(const Bdf2Weights& weights, double dt);
+  bool couple(const Bdf2Weights& weights, double dt);
   void pin_open_level();
   bool line_search(const Bdf2Weights& weights, double dt);
   double local_error(const StepPredictor& predictor) const;

@@ -39,9 +39,16 @@ void Seepage<dim>::add_storage(StagePlan<dim>& plan) {
         capacity[i] += pores[i] * held.slope;
       }
     };
+    const auto in_moving_pores = [this, region, content = soils_[r].content] {
+      skeleton_->add_storage(region, content);
+    };
     const std::string name = "storage [" + plan.problem.soils[r].name + "]";
-    water_->terms.push_back(&plan.add_iterated(Phase::pressure, name, storage));
+    const std::function<void()> body = skeleton_ != nullptr ? std::function<void()>(in_moving_pores) : storage;
+    water_->terms.push_back(&plan.add_iterated(Phase::pressure, name, body));
   }
+  if (skeleton_ != nullptr)
+    water_->terms.push_back(
+        &plan.add_iterated(Phase::pressure, "stabilisation and mixing", [this] { skeleton_->add_offsets(); }));
 }
 
 template <int dim>

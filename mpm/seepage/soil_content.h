@@ -12,6 +12,7 @@ class SoilContent {
   SoilContent(const Soil& soil, const TabulatedCurve& curve, double bulk_modulus)
       : curve_(curve),
         entry_(curve.saturated_until()),
+        effective_(soil.bishop == Bishop::effective_saturation),
         stored_per_pressure_(soil.storage ? *soil.storage / soil.porosity : curve.s_max() / bulk_modulus) {}
 
   ValueAndSlope at(double p) const {
@@ -20,13 +21,20 @@ class SoilContent {
     const ValueAndSlope saturation = curve_.saturation_at(-p);
     return {saturation.value, -saturation.slope};
   }
+  /// chi p and d(chi p)/dp, what the water bears of the total stress; chi as the soil says.
+  ValueAndSlope pore_stress(double p) const {
+    const ValueAndSlope chi = effective_ ? curve_.effective_at(-p) : curve_.saturation_at(-p);
+    return {chi.value * p, chi.value - p * chi.slope};
+  }
   double saturation(double p) const { return curve_.saturation(-p); }
   bool compressible() const { return stored_per_pressure_ > 0; }
   const TabulatedCurve& curve() const { return curve_; }
 
  private:
   TabulatedCurve curve_;
-  double entry_, stored_per_pressure_;
+  double entry_;
+  bool effective_;
+  double stored_per_pressure_;
 };
 
 }  // namespace wetfront::mpm

@@ -295,14 +295,16 @@ void SurfaceExchange<dim>::join(StagePlan<dim>& plan) {
   plan.require_on_nodes("pressure");
   collect(plan);
   add_passings(plan);
-  plan.at_ready([this, &plan] {
+  const auto find_sites = [this, &plan] {
     if (water_->surface(plan).update()) collect(plan);
     for (Site& site : sites_)
       for (int i = 0; i < site.outlet.count; ++i)
         for (int j = 0; j < site.outlet.count; ++j)
           site.slots[static_cast<std::size_t>(i * site.outlet.count + j)] = water_->matrix->slot(
               site.outlet.node[static_cast<std::size_t>(i)], site.outlet.node[static_cast<std::size_t>(j)]);
-  });
+  };
+  plan.at_ready(find_sites);
+  water_->moved.push_back(find_sites);
   water_->before_solve.push_back([this, &plan](double begin, double end) { set_time(plan, begin, end); });
   water_->limits.push_back([this](const auto& start, double* trial) { stop_at_kinks(start, trial); });
   water_->terms.push_back(&plan.add_iterated(Phase::pressure, this->name(), [this] { add_flows(); }));

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "mpm/coupling/anderson.h"
+#include "mpm/coupling/carried_water.h"
+#include "mpm/coupling/relaxation.h"
+
+namespace wetfront::mpm {
+
+/// Seepage through a skeleton that deforms from equilibrium to equilibrium: the fixed-stress split (README.md section
+/// 2).
+///
+///   W_i(p) = sum_r [P_i + B_i (g(p_i) - g(p_i^k))] S c(p_i) + Z_i + E_i,   g = chi p,
+///
+/// P_i pores of the present skeleton, B_i = sum_p N_i V_p / E_oed what they give way at constant total stress, Z_i the
+/// stabilisation, E_i what Anderson's mixing of the passes adds. After every solve the skeleton is relaxed under the
+/// new pressures; the split ends when the pores foreseen and found differ by less than Relaxation::coupling_tolerance,
+/// expressed as pressure.
+template <int dim>
+class FixedStress {
+ public:
+  explicit FixedStress(std::shared_ptr<SkeletonCycle<dim>> cycle) : cycle_(std::move(cycle)) {}
+
+  /// `refresh(cells_changed)` makes what `seepage` derives from points anew.
+  void join(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
+            const std::vector<SoilContent>& contents, std::function<void(bool)> refresh);
+  void add_storage(int region, const SoilContent& content) const;
+  void add_offsets() const;
+
+  void ready();        ///< stencils and pores of the present places
+  void begin_stage();  ///< the water of the points, and the skeleton at rest under the first pressures
+  void begin_step();
+  void end_step() { carried_->take_increments(); }
+  const CarriedWater<dim>& carried() const { return *carried_; }
+
+ private:
+  /// Integrals over a cell's points, kept while they move.
+  struct Cell {
+    double volume = 0, stiffness = 0;
+    std::array<double, cell_nodes<dim>> share{};  ///< integral of N_i over volume, sum 1
+    std::array<std::array<Vector<dim>, cell_nodes<dim>>, cell_nodes<dim>> strain{};  ///< sum_p N_i V_p grad N_j
+    std::size_t cell = 0;
+    int region = 0;
+    const int* nodes = nullptr;
+  };
+  bool settle(int pass);
+  void find_foreseen();
+  void refresh_geometry();
+  void measure_cells();
+  void rebase();
+  void press_points();
+  void find_stabilisation();
+  double pressure_scale() const;
+
+  std::shared_ptr<SkeletonCycle<dim>> cycle_;
+  StagePlan<dim>* plan_ = nullptr;
+  NodalWater<dim>* water_ = nullptr;
+  SeepageColumns c_{};
+  const std::vector<SoilContent>* contents_ = nullptr;
+  std::function<void(bool)> refresh_;
+  std::unique_ptr<CarriedWater<dim>> carried_;
+  std::unique_ptr<Relaxer<dim>> relaxer_;
+  Column *volume_before_, *pore_stress_, *pores_before_, *compliance_, *base_, *stabilisation_, *mixed_, *unsettled_,
+      *displacement_;
+  std::vector<Cell> cells_;
+  std::vector<std::size_t> occupied_;
+  std::vector<double> displaced_, history_, off_, stabilised_, weight_;
+  Anderson anderson_;
+  bool fresh_ = true;  ///< no stage before has carried water
+  long passes_ = 0;
+  RelaxationCounts counts_;
+};
+
+}  // namespace wetfront::mpm

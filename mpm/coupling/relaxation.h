@@ -1,0 +1,86 @@
+#pragma once
+
+#include "mpm/coupling/elastic_solve.h"
+#include "mpm/skeleton/skeleton_cycle.h"
+
+namespace wetfront::mpm {
+
+/// Brings a deforming skeleton to rest under the forces that act on it (README.md section 3): elastic corrections as
+/// long as they help, damped motion otherwise.
+///
+/// Out of balance: sum |f| over the nodes and axes that can move / max(sum |f| where they are held, weight). A state
+/// within Relaxation::unbalanced_ratio is an equilibrium. Velocities are zero before and after.
+template <int dim>
+class Relaxer {
+ public:
+  struct Outcome {
+    long iterations = 0;      ///< cycles of the skeleton
+    double ratio = 0;         ///< out of balance, at the end
+    double displacement = 0;  ///< largest of a node [m]
+  };
+
+  /// Provides its columns and listens to the cycle's forces.
+  Relaxer(StagePlan<dim>& plan, std::shared_ptr<SkeletonCycle<dim>> cycle);
+
+  /// Forgets the stiffness: to be called at the beginning of every step of the plan, so that a continued run finds the
+  /// same bits.
+  void begin_step() { factorised_ = false; }
+  /// Throws StepFailed when the state does not come to rest: with the ratio, how far it has moved, and whether it still
+  /// speeds up.
+  Outcome run();
+
+ private:
+  class Listener;
+  double imbalance() const;
+  double kinetic_energy() const;
+  void clear_velocities();
+  bool correct();
+  void move_by_cycle();
+  bool elastic_helps(double ratio, double before) const;
+  [[noreturn]] void give_up(const Outcome& outcome) const;
+  double moved() const;
+
+  StagePlan<dim>& plan_;
+  std::shared_ptr<SkeletonCycle<dim>> cycle_;
+  Column *force_, *node_mass_, *node_velocity_, *acceleration_, *displacement_, *correction_, *unbalanced_;
+  Column* velocity_;  ///< of points
+  std::unique_ptr<ElasticSolve<dim>> elastic_;
+  bool factorised_ = false, elastic_possible_ = true;
+  double shortest_ = 0;  ///< altitude of a cell [m]
+  long most_iterations_ = 0, crossing_ = 1;
+  std::vector<double> start_;         ///< displacement when the relaxation began
+  std::array<double, 4> energies_{};  ///< largest kinetic energy of the last wave crossings, newest first [J]
+};
+
+/// A stage without liquid: each step of the plan is one relaxation.
+template <int dim>
+class QuasiStaticMotion : public Effect<dim> {
+ public:
+  QuasiStaticMotion(Origin origin, std::shared_ptr<SkeletonCycle<dim>> cycle)
+      : Effect<dim>("quasi-static motion", std::move(origin),
+                    "div sigma' + rho g = 0; local damping (Cundall 1987); mpm/coupling/README.md section 3"),
+        cycle_(std::move(cycle)) {}
+  void join(StagePlan<dim>& plan) override;
+
+ private:
+  std::shared_ptr<SkeletonCycle<dim>> cycle_;
+  std::unique_ptr<Relaxer<dim>> relaxer_;
+};
+
+/// Writes what relaxations did into the history's counters.
+struct RelaxationCounts {
+  long iterations = 0, relaxations = 0;
+  double ratio = 0, displacement = 0;  ///< the worst
+
+  template <class Outcome>
+  void add(const Outcome& outcome) {
+    iterations += outcome.iterations;
+    ++relaxations;
+    ratio = ratio > outcome.ratio ? ratio : outcome.ratio;
+    displacement = displacement > outcome.displacement ? displacement : outcome.displacement;
+  }
+  /// Adds and starts anew.
+  void tell(meshes::FieldHistory& history);
+};
+
+}  // namespace wetfront::mpm

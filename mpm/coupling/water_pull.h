@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mpm/skeleton/skeleton_cycle.h"
+
+namespace wetfront::mpm {
+
+/// What the pore water does to the skeleton, per cycle at the points' present places:
+///
+///   f_i += sum_p V_p (chi p)_p grad N_i + rho_l g sum_p W_p N_i,
+///
+/// the first with the mean gradient of the cell under LockingRemedy::b_bar (the adjoint of the volumetric strain).
+/// Points carry "pore stress" chi p [Pa] and their "water" W [m^dim].
+template <int dim>
+class WaterPull : public NodalCondition<dim> {
+ public:
+  explicit WaterPull(StagePlan<dim>& plan)
+      : plan_(plan),
+        force_(plan.require_on_nodes("force")),
+        volume_(plan.require_on_points("volume")),
+        pore_stress_(plan.require_on_points("pore stress")),
+        water_(plan.require_on_points("water")) {}
+  void add_force() override;
+
+ private:
+  StagePlan<dim>& plan_;
+  Column& force_;
+  const Column &volume_, &pore_stress_, &water_;
+};
+
+}  // namespace wetfront::mpm
