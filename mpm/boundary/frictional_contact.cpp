@@ -1,0 +1,219 @@
+#include "mpm/boundary/frictional_contact.h"
+
+#include "mpm/boundary/skeleton_side.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace wetfront::mpm {
+
+namespace {
+
+template <int dim>
+using Normals = std::span<const Vector<dim>>;
+
+/// Solves G x = b for the Gram matrix of `set`; false where its normals do not span so many directions.
+template <int dim>
+bool solve_gram(Normals<dim> normals, std::span<const int> set, const Vector<dim>& velocity, Vector<dim>& lambda) {
+  const int n = static_cast<int>(set.size());
+  std::array<std::array<double, dim + 1>, dim> rows{};
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c)
+      rows[r][c] = dot<dim>(normals[static_cast<std::size_t>(set[r])], normals[static_cast<std::size_t>(set[c])]);
+    rows[r][n] = dot<dim>(normals[static_cast<std::size_t>(set[r])], velocity);
+  }
+  for (int k = 0; k < n; ++k) {  // a Gram matrix needs no pivoting
+    if (!(rows[k][k] > 1e-10)) return false;
+    for (int r = 0; r < n; ++r) {
+      if (r == k) continue;
+      const double factor = rows[r][k] / rows[k][k];
+      for (int c = k; c <= n; ++c) rows[r][c] -= factor * rows[k][c];
+    }
+  }
+  for (int k = 0; k < n; ++k) lambda[k] = rows[k][n] / rows[k][k];
+  return true;
+}
+
+/// Tries one set of active planes.
+template <int dim>
+bool fits(Normals<dim> normals, std::span<const int> set, const Vector<dim>& velocity, Vector<dim>& out,
+          std::span<double> impulse) {
+  Vector<dim> lambda{};
+  if (!solve_gram<dim>(normals, set, velocity, lambda)) return false;
+  const double size = 1e-12 * length<dim>(velocity);
+  out = velocity;
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    if (lambda[k] < -size) return false;
+    for (int a = 0; a < dim; ++a) out[a] -= lambda[k] * normals[static_cast<std::size_t>(set[k])][a];
+  }
+  for (const Vector<dim>& normal : normals)
+    if (dot<dim>(normal, out) > size) return false;
+  if (set.size() == dim) out.fill(0);  // to the last bit
+  std::fill(impulse.begin(), impulse.end(), 0.0);
+  for (std::size_t k = 0; k < set.size(); ++k) impulse[static_cast<std::size_t>(set[k])] = std::max(lambda[k], 0.0);
+  return true;
+}
+
+}  // namespace
+
+template <int dim>
+Vector<dim> without_penetration(const Vector<dim>& velocity, std::span<const Vector<dim>> normals,
+                                std::span<double> impulse) {
+  const int planes = static_cast<int>(normals.size());
+  Vector<dim> out{};
+  std::array<int, dim> set{};
+  for (int size = 0; size <= std::min(planes, dim); ++size) {
+    for (int k = 0; k < size; ++k) set[k] = k;
+    while (true) {
+      if (fits<dim>(normals, {set.data(), static_cast<std::size_t>(size)}, velocity, out, impulse)) return out;
+      int k = size - 1;  // the next combination
+      while (k >= 0 && set[k] == planes - size + k) --k;
+      if (k < 0) break;
+      ++set[k];
+      for (int later = k + 1; later < size; ++later) set[later] = set[later - 1] + 1;
+    }
+  }
+  // Planes that shut every way out, to round-off: the node stays.
+  for (int k = 0; k < planes; ++k)
+    impulse[static_cast<std::size_t>(k)] = std::max(dot<dim>(normals[static_cast<std::size_t>(k)], velocity), 0.0);
+  return {};
+}
+
+template <int dim>
+ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>& cycle,
+                                        const std::vector<FrictionalContact>& sides)
+    : plan_(plan), cycle_(cycle), nodes_(plan) {
+  struct Plane {
+    Vector<dim> normal;
+    double friction, area;
+  };
+  std::map<int, std::vector<Plane>> found;
+  for (const FrictionalContact& side : sides)
+    for (const auto& node : side_nodes(plan, side.side, "frictional contact", side.origin, false))
+      for (const auto& plane : node.planes) found[node.index].push_back({plane.normal, side.friction, plane.area});
+  for (const auto& [index, planes] : found) {
+    Node node;
+    node.index = static_cast<std::size_t>(index);
+    node.first = normal_.size();
+    for (int a = 0; a < dim; ++a) {
+      const auto& fixed = cycle.fixed[static_cast<std::size_t>(a)];
+      node.held[a] = node.index < fixed.size() && fixed[node.index] != 0;
+    }
+    for (const Plane& plane : planes) {
+      Vector<dim> normal = plane.normal;
+      for (int a = 0; a < dim; ++a)
+        if (node.held[a]) normal[a] = 0;
+      const double free = length<dim>(normal);
+      if (free < 1e-6) continue;  // held along the normal anyway
+      for (double& component : normal) component /= free;
+      normal_.push_back(normal);
+      friction_.push_back(plane.friction);
+      area_.push_back(plane.area);
+    }
+    node.count = normal_.size() - node.first;
+    if (node.count > 0) base_.push_back(node);
+  }
+  impulse_.assign(normal_.size(), 0.0);
+  const auto there = [&plan](const char* name) -> const Column* {
+    const Column* column = plan.fields.points.columns.find(name);
+    return column != nullptr && !column->provided_by().empty() ? column : nullptr;
+  };
+  if (!plan.stage.liquid) return;
+  volume_ = &plan.require_on_points("volume");
+  wall_pressure_.assign(plan.fields.grid.node_count(), 0.0);
+  weight_ = wall_pressure_;
+  // The liquid's effect joins later: columns are looked up when the stage begins.
+  plan.at_ready([this, there] {
+    pore_stress_ = there("pore stress");
+    pressure_ = there("pressure");
+    saturation_ = there("saturation");
+  });
+}
+
+/// What of the wall's reaction on the skeleton is the water's: chi p where the skeleton carries total stress (seepage),
+/// the skeleton's share (1 - n) S p where liquid and skeleton have a momentum balance each.
+template <int dim>
+double ContactCondition<dim>::part_of_water(const Block& block, std::size_t point) const {
+  if (pore_stress_ != nullptr) return (*pore_stress_)[0][point];
+  if (pressure_ == nullptr || saturation_ == nullptr) return 0;
+  const Soil& soil = plan_.problem.soils[static_cast<std::size_t>(plan_.fields.grid.region(block.cell))];
+  return (1 - soil.porosity) * (*saturation_)[0][point] * (*pressure_)[0][point];
+}
+
+template <int dim>
+void ContactCondition<dim>::find_wall_pressure() {
+  for (const Node& node : base_) wall_pressure_[node.index] = weight_[node.index] = 0;
+  for (const Block& block : plan_.fields.points.blocks()) {
+    double volume = 0, pushed = 0;
+    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
+      volume += (*volume_)[0][p];
+      pushed += (*volume_)[0][p] * part_of_water(block, p);
+    }
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      wall_pressure_[static_cast<std::size_t>(block.nodes[i])] += pushed;
+      weight_[static_cast<std::size_t>(block.nodes[i])] += volume;
+    }
+  }
+  for (const Node& node : base_)
+    if (weight_[node.index] > 0) wall_pressure_[node.index] /= weight_[node.index];
+}
+
+/// Says whether the node sticks.
+template <int dim>
+bool ContactCondition<dim>::stop_at_planes(Node& node, Vector<dim>& v, double mass, double dt) {
+  const std::span<const Vector<dim>> normals{normal_.data() + node.first, node.count};
+  const std::span<double> impulse{impulse_.data() + node.first, node.count};
+  v = without_penetration<dim>(v, normals, impulse);
+  double grip = 0;
+  for (std::size_t k = 0; k < node.count; ++k) {
+    if (!(impulse[k] > 0)) continue;
+    const double water = wall_pressure_.empty() ? 0 : wall_pressure_[node.index] * area_[node.first + k] * dt / mass;
+    grip += friction_[node.first + k] * std::max(impulse[k] - water, 0.0);
+  }
+  if (!(grip > 0)) return false;
+  const double speed = length<dim>(v);
+  const double left = speed > grip ? 1 - grip / speed : 0.0;
+  for (double& component : v) component *= left;
+  return left == 0;
+}
+
+template <int dim>
+void ContactCondition<dim>::limit_acceleration() {
+  if (!wall_pressure_.empty()) find_wall_pressure();
+  const double dt = cycle_.dt;
+  for (Node& node : base_) {
+    node.sticks = false;
+    if (nodes_.empty(node.index)) continue;
+    Vector<dim> v{};
+    for (int a = 0; a < dim; ++a)
+      if (!node.held[a]) v[a] = nodes_.velocity[a][node.index] + dt * nodes_.acceleration[a][node.index];
+    node.sticks = stop_at_planes(node, v, nodes_.mass[0][node.index], dt);
+    for (int a = 0; a < dim; ++a)
+      if (!node.held[a]) nodes_.acceleration[a][node.index] = (v[a] - nodes_.velocity[a][node.index]) / dt;
+  }
+}
+
+template <int dim>
+void ContactCondition<dim>::limit_velocity() {
+  // With the stress first this comes before the accelerations, which say who sticks.
+  const bool known = plan_.problem.skeleton.update != StressUpdate::usf;
+  for (const Node& node : base_) {
+    if (nodes_.empty(node.index)) continue;
+    Vector<dim> v{};
+    for (int a = 0; a < dim; ++a)
+      if (!node.held[a]) v[a] = nodes_.velocity[a][node.index];
+    const std::span<const Vector<dim>> normals{normal_.data() + node.first, node.count};
+    const std::span<double> impulse{impulse_.data() + node.first, node.count};
+    v = known && node.sticks ? Vector<dim>{} : without_penetration<dim>(v, normals, impulse);
+    for (int a = 0; a < dim; ++a)
+      if (!node.held[a]) nodes_.velocity[a][node.index] = v[a];
+  }
+}
+
+template Vector<2> without_penetration<2>(const Vector<2>&, std::span<const Vector<2>>, std::span<double>);
+template Vector<3> without_penetration<3>(const Vector<3>&, std::span<const Vector<3>>, std::span<double>);
+template class ContactCondition<2>;
+template class ContactCondition<3>;
+
+}  // namespace wetfront::mpm
