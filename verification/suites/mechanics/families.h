@@ -11,5 +11,10 @@ std::vector<Case> bar_cases();                  ///< a bar swings: period, energ
 std::vector<Case> gravity_column_cases();       ///< settled under its own weight, small and large strain
 std::vector<Case> manufactured_motion_cases();  ///< axis-aligned motion, generalized vortex: order in h
 std::vector<Case> rotation_cases();             ///< a body turns: no stress from it
+std::vector<Case> motion_work_cases();          ///< error over CPU seconds, scheme by scheme
+std::vector<Case> material_path_cases();        ///< laws along paths of strain and stress
+std::vector<Case> footing_cases();              ///< Prandtl
+std::vector<Case> incline_cases();              ///< a block slides or sticks; an infinite slope
+std::vector<Case> collapse_cases();             ///< dry columns fall
 
 }  // namespace wetfront::verification

@@ -6,7 +6,8 @@ namespace wetfront::verification {
 
 std::vector<Case> mechanics_suite() {
   std::vector<Case> all;
-  for (const auto family : {bar_cases, gravity_column_cases, manufactured_motion_cases, rotation_cases})
+  for (const auto family : {bar_cases, gravity_column_cases, manufactured_motion_cases, rotation_cases,
+                            motion_work_cases, material_path_cases, footing_cases, incline_cases, collapse_cases})
     for (Case& test : family()) all.push_back(std::move(test));
   return all;
 }

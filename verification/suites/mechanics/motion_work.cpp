@@ -1,0 +1,81 @@
+#include "verification/present/figure_frame.h"
+#include "verification/suites/cost_curve.h"
+#include "verification/suites/mechanics/families.h"
+#include "verification/suites/mechanics/manufactured_motions.h"
+#include "verification/suites/mechanics/motion_setups.h"
+#include "verification/suites/series.h"
+
+#include <fmt/format.h>
+
+namespace wetfront::verification {
+namespace {
+
+using mpm::LockingRemedy;
+using mpm::ShapeFunctions;
+using mpm::SkeletonScheme;
+using mpm::Transfer;
+
+struct Named {
+  std::string name;
+  SkeletonScheme scheme;
+};
+
+std::vector<Named> schemes() {
+  SkeletonScheme plain;
+  plain.locking = LockingRemedy::none;
+  SkeletonScheme b_bar, pic = plain, apic = plain, spline = plain, spline_apic = plain;
+  b_bar.locking = LockingRemedy::b_bar;
+  pic.pic = 0.01;
+  apic.transfer = spline_apic.transfer = Transfer::apic;
+  spline.shape = spline_apic.shape = ShapeFunctions::quadratic_spline;
+  return {{"linear, FLIP", plain}, {"linear, B-bar", b_bar},  {"linear, FLIP with 1 % PIC", pic},
+          {"linear, APIC", apic},  {"splines, FLIP", spline}, {"splines, APIC", spline_apic}};
+}
+
+void work(const ManufacturedMotion& motion, const std::vector<int>& ladder, MotionBook& book) {
+  auto figure = figure_frame(
+      {"work_precision", fmt::format("Error over CPU seconds: {} cells and up, doubled", ladder.front()), "Cost"},
+      {"CPU", "s"}, {"rms error of the displacement, relative", "-"});
+  figure.log_x = figure.log_y = true;
+  for (const Named& named : schemes()) {
+    auto curve = line(named.name);
+    for (const int cells : ladder) {
+      const auto run =
+          book.move<2>(fmt::format("{}, {} cells", named.name, cells), motion.problem(cells, named.scheme));
+      put(curve, run.history.cpu_seconds, motion.error(run));
+    }
+    figure.series.push_back(curve);
+  }
+  const auto &linear = figure.series[0], &splines = figure.series[4];
+  book.page.judge("best",
+                  fmt::format("error of splines over that of plain linear cells, both on {} cells", ladder.back()),
+                  splines.y.back() / linear.y.back(),
+                  {0.5, "1", "where points cross cells, splines are worth their cost (1.5 to 3 times a step)"});
+  book.page.show("cost", "CPU of splines over that of linear cells at that size", splines.x.back() / linear.x.back(),
+                 "1");
+  book.page.draw(figure);
+}
+
+}  // namespace
+
+std::vector<Case> motion_work_cases() {
+  const std::string requirement = "What accuracy costs: shape functions, locking remedy, transfer.";
+  const std::string source = "Kamojjala et al. 2015.";
+  return {
+      motion_case({"work_precision_axis_aligned",
+                   "Work and precision, axis-aligned motion",
+                   requirement,
+                   source,
+                   Effort::everyday,
+                   {}},
+                  [](MotionBook& book) {
+                    work(axis_aligned_motion(), {8, 16, 32}, book);
+                  }),
+      motion_case(
+          {"work_precision_vortex", "Work and precision, generalized vortex", requirement, source, Effort::heavy, {}},
+          [](MotionBook& book) {
+            work(vortex_motion(), {16, 32, 64, 128}, book);
+          })};
+}
+
+}  // namespace wetfront::verification
