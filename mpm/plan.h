@@ -39,7 +39,9 @@ struct PlanInfo {
   std::vector<KernelInfo> kernels;  ///< in the order they run
   std::vector<StepLimit> step_limits;
   std::size_t points = 0, nodes = 0, cells = 0;
-  std::size_t bytes_per_point = 0;
+  std::size_t slots = 0;            ///< places for points: more than there are points where these may move
+  std::size_t bytes_per_point = 0;  ///< and slot
+  std::size_t point_bytes = 0;      ///< all that is allocated for points: bytes_per_point * slots
   double estimated_steps = 0, estimated_cpu_seconds = 0;
 };
 

@@ -49,7 +49,7 @@ struct Simulation<dim>::Implementation {
 
   void restore_point_counts(const State& state) {
     const auto stored = state.fields.find("points per cell");
-    if (stored == state.fields.end() || stored->second.size() != fields.grid.cell_count())
+    if (stored == state.fields.end() || stored->second.size() != fields.points.count_of_cell().size())
       throw CannotPlan(
           "cannot continue this run: its state has another number of cells than the problem (it belongs to "
           "another problem). Start the run anew");
@@ -150,11 +150,12 @@ struct Simulation<dim>::Implementation {
     meshes::Snapshot snapshot;
     snapshot.time = time;
     snapshot.stage = plan->stage.name;
-    for (std::size_t p = 0; p < fields.points.size(); ++p) {
-      meshes::Point x{};
-      for (int a = 0; a < dim; ++a) x[static_cast<std::size_t>(a)] = fields.points.columns.at("position")[a][p];
-      snapshot.points.position.push_back(x);
-    }
+    for (const Block& block : fields.points.blocks())
+      for (std::size_t p = block.first; p < block.first + block.count; ++p) {
+        meshes::Point x{};
+        std::ranges::copy(fields.points.position(p), x.begin());
+        snapshot.points.position.push_back(x);
+      }
     plan->output(snapshot);
     history.snapshots.push_back(std::move(snapshot));
   }
@@ -169,14 +170,15 @@ struct Simulation<dim>::Implementation {
 
   State state() const {
     State state{time, stage, {}, finished_history()};
-    const auto store = [&state](const ColumnSet& set, const std::string& kind) {
+    const auto store = [&state](const ColumnSet& set, const std::string& kind, const auto& values_of) {
       for (const auto& column : set.all())
         if (column->spec().lifetime == Lifetime::carried && column->allocated())
-          state.fields[kind + "." + column->spec().name].assign(column->values().begin(), column->values().end());
+          state.fields[kind + "." + column->spec().name] = values_of(*column);
     };
-    store(fields.points.columns, "point");
-    store(fields.grid.columns, "node");
-    store(fields.run, "run");
+    const auto all = [](const Column& c) { return std::vector<double>(c.values().begin(), c.values().end()); };
+    store(fields.points.columns, "point", [this](const Column& c) { return fields.points.in_order(c); });
+    store(fields.grid.columns, "node", all);
+    store(fields.run, "run", all);
     const auto& counts = fields.points.count_of_cell();
     state.fields["points per cell"].assign(counts.begin(), counts.end());
     state.fields["recorded until"] = {recorded_until};

@@ -122,6 +122,14 @@ double Grid<dim>::stencil(std::size_t cell, const Vector<dim>& xi, Stencil<dim>&
 }
 
 template <int dim>
+Vector<dim> Grid<dim>::face_normal(std::size_t cell, const Vector<dim>& xi, int axis, bool upper) const {
+  Vector<dim> normal = map_at(cell, xi).inverse[static_cast<std::size_t>(axis)];
+  const double size = (upper ? 1 : -1) * length<dim>(normal);
+  for (double& n : normal) n /= size;
+  return normal;
+}
+
+template <int dim>
 double Grid<dim>::smallest_altitude(std::size_t cell) const {
   // |dxi_a/dx| is 2 / (distance of the two faces across axis a) in an affine cell; the corners bound it in others.
   double altitude = std::numeric_limits<double>::infinity();

@@ -29,18 +29,24 @@ class Grid {
   /// Shape functions and gradients at local coordinates; returns det(dx/dxi) [m^dim].
   double stencil(std::size_t cell, const Vector<dim>& xi, Stencil<dim>& out) const;
   bool affine(std::size_t cell) const { return affine_[cell] != 0; }
+  /// Outward unit normal of the face across an axis (the one at +1 when `upper`), at local coordinates on it.
+  Vector<dim> face_normal(std::size_t cell, const Vector<dim>& xi, int axis, bool upper) const;
 
   /// The cell that holds x, searched from a nearby one through neighbours, -1 when x lies outside the grid.
   int find_cell(const Vector<dim>& x, int start) const;
 
   ColumnSet columns;
 
- private:
+  /// xi = inverse (x - centre).
   struct AffineMap {
     Vector<dim> centre{};
     std::array<Vector<dim>, dim> inverse{};  ///< dxi/dx
     double determinant = 0;                  ///< of dx/dxi
   };
+  /// The map at the centre of a cell; all of it when the cell is affine.
+  const AffineMap& map(std::size_t cell) const { return maps_[cell]; }
+
+ private:
   AffineMap map_at(std::size_t cell, const Vector<dim>& xi) const;
   void find_neighbours();
 

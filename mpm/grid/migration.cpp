@@ -1,6 +1,7 @@
 #include "mpm/grid/migration.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace wetfront::mpm {
 
@@ -18,67 +19,80 @@ std::string place(const std::array<double, dim>& x) {
 template <int dim>
 Migration<dim>::Migration(StagePlan<dim>& plan)
     : plan_(plan),
-      cell_(plan.provide_on_points({"cell", "c", "-", 1, Lifetime::step})),
-      slot_(plan.provide_on_points({"slot", "k", "-", 1, Lifetime::step})),
+      position_(plan.require_on_points("position")),
+      velocity_(plan.require_on_points("velocity")),
       scratch_(plan.provide_on_points({"scratch", "", "-", 1, Lifetime::step})),
-      counts_(plan.fields.grid.cell_count()),
-      next_(plan.fields.grid.cell_count()) {}
+      count_(plan.provide_on_run({"migration", "", "-", migration_counts})) {
+  plan.at_finish([this](meshes::FieldHistory& history) {
+    history.counters["points that changed cells"] = count_[migration_crossings][0];
+    history.counters["points held at the mesh border"] = count_[migration_held][0];
+  });
+}
 
 template <int dim>
-bool Migration<dim>::find_cells() {
+void Migration<dim>::prepare(std::size_t chunks) {
+  leaving_.resize(chunks);
+  // A point in eight at a time and cell: more than that would have to cross within one step of the stability limit.
+  for (auto& list : leaving_) list.reserve(64 + plan_.fields.points.size() / (8 * chunks));
+  movers_.reserve(64 + plan_.fields.points.size() / 8);
+}
+
+/// Where the point goes; false when it stays.
+template <int dim>
+bool Migration<dim>::find_cell(Mover& mover) {
   const auto& grid = plan_.fields.grid;
   const auto& points = plan_.fields.points;
-  bool moved = false;
-  for (const Block& block : points.blocks())
-    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-      const Vector<dim> x = points.position(p);
-      const int cell = grid.find_cell(x, static_cast<int>(block.cell));
-      if (cell < 0)
-        throw StepFailed("a material point has left the mesh at " + place(x) +
-                         ". Give the mesh empty cells there, or fix the side");
-      if (grid.region(static_cast<std::size_t>(cell)) != grid.region(block.cell))
-        throw StepFailed("a material point has moved into the cells of another soil at " + place(x) +
-                         " (soils belong to cells in this version)");
-      cell_[0][p] = cell;
-      moved = moved || static_cast<std::size_t>(cell) != block.cell;
-    }
-  return moved;
+  const std::size_t slot = points.first_slot(mover.from, mover.soil) + mover.index;
+  const Vector<dim> x = points.position(slot);
+  const int cell = grid.find_cell(x, static_cast<int>(mover.from));
+  if (cell < 0 && !std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); }))
+    throw StepFailed("a material point of cell " + std::to_string(mover.from) + " has moved to " + place(x) +
+                     ": the motion of the skeleton has blown up");
+  mover.to = cell >= 0 ? static_cast<std::size_t>(cell) : hold(mover.from, slot, x);
+  if (plan_.stage.liquid && grid.region(mover.to) != mover.soil)
+    throw StepFailed("a material point of soil '" + plan_.problem.soils[static_cast<std::size_t>(mover.soil)].name +
+                     "' has moved into the cells of another at " + place(x) +
+                     " (in a stage with liquid the laws of water belong to cells). End the stage before, or give both "
+                     "one soil");
+  return mover.to != mover.from;
 }
 
+/// Puts a point that has left the mesh back onto its border; returns the cell.
 template <int dim>
-void Migration<dim>::find_slots() {
+std::size_t Migration<dim>::hold(std::size_t cell, std::size_t slot, const Vector<dim>& x) {
   const auto& grid = plan_.fields.grid;
-  const std::size_t points = plan_.fields.points.size();
-  std::ranges::fill(counts_, 0);
-  for (std::size_t p = 0; p < points; ++p) ++counts_[static_cast<std::size_t>(cell_[0][p])];
-  int regions = static_cast<int>(plan_.problem.soils.size());
-  std::size_t first = 0;
-  for (int region = 0; region < regions; ++region)
-    for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
-      if (grid.region(cell) == region) {
-        next_[cell] = first;
-        first += counts_[cell];
-      }
-  for (std::size_t p = 0; p < points; ++p)
-    slot_[0][p] = static_cast<double>(next_[static_cast<std::size_t>(cell_[0][p])]++);
-}
-
-template <int dim>
-void Migration<dim>::permute(Column& column) {
-  const std::size_t points = column.size();
-  for (int c = 0; c < column.spec().components; ++c) {
-    for (std::size_t p = 0; p < points; ++p) scratch_[0][static_cast<std::size_t>(slot_[0][p])] = column[c][p];
-    std::copy_n(scratch_[0], points, column[c]);
+  const Vector<dim> xi = grid.local(cell, x);
+  // One face first, the one it went through the farthest: the point may have entered a neighbour along another axis.
+  std::array<int, dim> axes;
+  for (int a = 0; a < dim; ++a) axes[static_cast<std::size_t>(a)] = a;
+  std::sort(axes.begin(), axes.end(), [&xi](int a, int b) { return std::abs(xi[a]) > std::abs(xi[b]); });
+  Vector<dim> held = xi;
+  int home = -1;
+  for (int axis : axes) {
+    if (home >= 0) break;
+    held[axis] = std::clamp(xi[axis], -1.0, 1.0);
+    const Vector<dim> normal = grid.face_normal(cell, held, axis, xi[axis] > 0);
+    double outward = 0;
+    for (int a = 0; a < dim; ++a) outward += velocity_[a][slot] * normal[a];
+    for (int a = 0; a < dim && outward > 0; ++a) velocity_[a][slot] -= outward * normal[a];
+    const Vector<dim> back = grid.place(cell, held);
+    for (int a = 0; a < dim; ++a) position_[a][slot] = back[a];
+    home = grid.find_cell(back, static_cast<int>(cell));
   }
+  count_[migration_held][0] += 1;
+  return home >= 0 ? static_cast<std::size_t>(home) : cell;
 }
 
 template <int dim>
 void Migration<dim>::run() {
-  if (!find_cells()) return;
-  find_slots();
-  for (const auto& column : plan_.fields.points.columns.all())
-    if (column->spec().lifetime == Lifetime::carried && column->allocated()) permute(*column);
-  plan_.fields.points.set_counts(plan_.fields.grid, counts_);
+  movers_.clear();
+  for (auto& list : leaving_) {
+    for (Mover& mover : list)
+      if (find_cell(mover)) movers_.push_back(mover);
+    list.clear();
+  }
+  count_[migration_crossings][0] += static_cast<double>(movers_.size());
+  plan_.fields.points.move(plan_.fields.grid, movers_, scratch_);
 }
 
 template class Migration<2>;

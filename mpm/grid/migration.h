@@ -4,24 +4,35 @@
 
 namespace wetfront::mpm {
 
-/// Sorts points into the cells they have moved to; nothing to do, and nothing done, while all stay. The only place
-/// where points change cells (and later, owners).
+/// Takes points to the cells they have moved to. Who moves points notes those that have left their cell; nothing is
+/// done about the others. The only place where points change cells (and later, owners).
+///
+/// A point that would leave the mesh is held at its border: put back onto the face it went through, without the part
+/// of its velocity that points outwards. It is counted, and the count is told in the history: "points held at the mesh
+/// border" (each time anew). A point may enter cells of another soil and keeps its own, in stages without liquid; with
+/// liquid, whose laws belong to cells, that stops the run.
 template <int dim>
 class Migration {
  public:
-  /// Provides the step columns "cell", "slot" and "scratch".
+  /// Provides the step column "scratch" on points and "migration" on the run.
   explicit Migration(StagePlan<dim>& plan);
-  /// Throws StepFailed when a point has left the mesh or entered cells of another soil.
+  /// One list for each of the chunks that note at the same time; their order is that of the points.
+  void prepare(std::size_t chunks);
+  std::vector<Mover>& leaving(std::size_t chunk) { return leaving_[chunk]; }
+  /// Throws StepFailed when a point is nowhere (not a number) or has entered cells of another soil.
   void run();
 
  private:
-  bool find_cells();
-  void find_slots();
-  void permute(Column& column);
+  bool find_cell(Mover& mover);
+  std::size_t hold(std::size_t cell, std::size_t slot, const Vector<dim>& x);
 
   StagePlan<dim>& plan_;
-  Column &cell_, &slot_, &scratch_;
-  std::vector<std::size_t> counts_, next_;
+  Column &position_, &velocity_, &scratch_, &count_;
+  std::vector<std::vector<Mover>> leaving_;
+  std::vector<Mover> movers_;
 };
+
+/// Components of the run column "migration".
+enum { migration_crossings, migration_held, migration_counts };
 
 }  // namespace wetfront::mpm

@@ -190,7 +190,8 @@ MaterialPoints<dim> seed(const Grid<dim>& grid, int points_per_cell, const std::
     }
   if (points.positions.empty())
     throw CannotPlan(
-        "what lies above the surface or is marked empty leaves no soil (it is every cell of the mesh). Raise the surface, "
+        "what lies above the surface or is marked empty leaves no soil (it is every cell of the mesh). Raise the "
+        "surface, "
         "or check its units [m]");
   return MaterialPoints<dim>(grid, points.positions, points.volumes, points.count_of_cell);
 }

@@ -13,6 +13,7 @@ class HenckyLaw {
   template <int dim>
   static constexpr int memory_size = gradient_size<dim>;
   static constexpr bool needs_suction = false;
+  static constexpr bool modulus_varies = true;  ///< constrained_modulus depends on the point: asked point by point
   static std::vector<ColumnSpec> memory_specs(int dim) { return deformation_gradient_specs(dim); }
 
   explicit HenckyLaw(const Elastic& elastic) : elastic_(elastic) {}

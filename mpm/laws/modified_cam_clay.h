@@ -25,6 +25,7 @@ class ModifiedCamClayLaw {
   template <int dim>
   static constexpr int memory_size = 2;
   static constexpr bool needs_suction = false;
+  static constexpr bool modulus_varies = true;  ///< constrained_modulus depends on the point: asked point by point
   static std::vector<ColumnSpec> memory_specs(int) {
     return {{"preconsolidation", "p_c", "Pa"}, {"void ratio", "e", "-"}};
   }

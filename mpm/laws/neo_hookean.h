@@ -12,6 +12,7 @@ class NeoHookeanLaw {
   template <int dim>
   static constexpr int memory_size = gradient_size<dim>;
   static constexpr bool needs_suction = false;
+  static constexpr bool modulus_varies = true;  ///< constrained_modulus depends on the point: asked point by point
   static std::vector<ColumnSpec> memory_specs(int dim) { return deformation_gradient_specs(dim); }
 
   explicit NeoHookeanLaw(const Elastic& elastic) : elastic_(elastic) {}

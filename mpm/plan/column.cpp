@@ -40,6 +40,14 @@ void ColumnSet::allocate() {
       column->values_.assign(size_ * static_cast<std::size_t>(column->spec_.components), 0.0);
 }
 
+void ColumnSet::resize(std::size_t size) {
+  size_ = size;
+  for (auto& column : columns_) {
+    const auto components = column->allocated() ? static_cast<std::size_t>(column->spec_.components) : 0;
+    column->replace(std::vector<double>(size * components), size);
+  }
+}
+
 void ColumnSet::free_unprovided() {
   std::erase_if(columns_, [](const auto& column) { return column->provided_by_.empty(); });
 }

@@ -39,6 +39,11 @@ class Column {
   void fill(double value);
   /// Of all its values.
   double sum() const;
+  /// New values for another number of items.
+  void replace(std::vector<double> values, std::size_t size) {
+    values_ = std::move(values);
+    size_ = size;
+  }
 
  private:
   friend class ColumnSet;
@@ -71,6 +76,10 @@ class ColumnSet {
   Column& at(const std::string& name);
 
   std::size_t size() const { return size_; }
+  /// Another number of items from now on; what its columns hold is replaced by zeros.
+  void resize(std::size_t size);
+  /// The same for columns yet to come; those that hold data have been given it in the new size already.
+  void set_size(std::size_t size) { size_ = size; }
   const std::vector<std::unique_ptr<Column>>& all() const { return columns_; }
 
  private:

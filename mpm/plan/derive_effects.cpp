@@ -7,7 +7,7 @@
 #include "mpm/seepage/periodic.h"
 #include "mpm/seepage/seepage.h"
 #include "mpm/seepage/surface_exchange.h"
-#include "mpm/skeleton/elastic_skeleton.h"
+#include "mpm/skeleton/deforming_skeleton.h"
 #include "mpm/skeleton/gravity.h"
 #include "mpm/skeleton/rigid_skeleton.h"
 #include "mpm/two_velocity/rain.h"
@@ -30,6 +30,25 @@ bool has_elastic_soil(const Problem<dim>& problem) {
   return any;
 }
 
+/// Whoever builds one of these takes its line out.
+template <int dim>
+void refuse_what_is_not_there_yet(const StagePlan<dim>& plan) {
+  const Problem<dim>& problem = plan.problem;
+  const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "' ";
+  if (plan.stage.motion == SkeletonMotion::quasi_static)
+    throw CannotPlan(where + "moves its skeleton quasi-statically (that is not there yet). Use dynamic motion");
+  if (!problem.skeleton_boundary.empty())
+    throw CannotPlan(where + "has a load, contact or motion on a side of its skeleton (that is not there yet)");
+  if (problem.initial_stress != InitialStress::none)
+    throw CannotPlan(where + "begins with an initial stress (that is not there yet)");
+  if (problem.skeleton.shape != ShapeFunctions::linear)
+    throw CannotPlan(where + "moves its skeleton by splines (they are not there yet). Use linear shape functions");
+  if (problem.skeleton.update == StressUpdate::usf && plan.stage.liquid)
+    throw CannotPlan(where +
+                     "updates stress first, with liquid (which reads momenta where velocities are by then). "
+                     "Use musl or usl");
+}
+
 template <int dim>
 void join_skeleton(StagePlan<dim>& plan) {
   const Problem<dim>& problem = plan.problem;
@@ -37,7 +56,8 @@ void join_skeleton(StagePlan<dim>& plan) {
     plan.join(std::make_unique<RigidSkeleton<dim>>(problem.soils.front().origin));
     return;
   }
-  plan.join(std::make_unique<ElasticSkeleton<dim>>(problem.soils.front().elastic->origin));
+  refuse_what_is_not_there_yet(plan);
+  plan.join(std::make_unique<DeformingSkeleton<dim>>(problem.soils.front().elastic->origin));
 }
 
 /// The origin of the first water boundary of a kind; empty when the problem has none.

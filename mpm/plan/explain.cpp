@@ -19,6 +19,7 @@ PlanInfo StagePlan<dim>::info() const {
     info.columns.push_back({spec.name, spec.symbol, spec.unit, spec.components, spec.lifetime == Lifetime::carried,
                             bytes, column->provided_by()});
     info.bytes_per_point += bytes;
+    info.point_bytes += column->values().size_bytes();
   }
   // Iterated kernels first within their phase: they run inside the kernel that closes the phase.
   for (int p = 0; p < phase_count; ++p)
@@ -28,6 +29,7 @@ PlanInfo StagePlan<dim>::info() const {
           info.kernels.push_back({phase_name(kernel->phase()), kernel->name(), kernel->effect()});
   for (const Limit& limit : limits_) info.step_limits.push_back({limit.name, limit.formula, limit.seconds()});
   info.points = fields.points.size();
+  info.slots = fields.points.slots();
   info.nodes = fields.grid.node_count();
   info.cells = fields.grid.cell_count();
   const StageEstimate cost = estimate(*this);

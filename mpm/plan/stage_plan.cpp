@@ -9,7 +9,10 @@ namespace wetfront::mpm {
 
 template <int dim>
 Fields<dim>::Fields(const Problem<dim>& problem)
-    : grid(problem.mesh), points(seed<dim>(grid, problem.points_per_cell, problem.surface, problem.empty_cells)) {}
+    : grid(problem.mesh), points(seed<dim>(grid, problem.points_per_cell, problem.surface, problem.empty_cells)) {
+  const auto deforms = [](const Soil& soil) { return soil.elastic.has_value(); };
+  if (std::any_of(problem.soils.begin(), problem.soils.end(), deforms)) points.make_room(grid);
+}
 
 template <int dim>
 StagePlan<dim>::StagePlan(const Problem<dim>& problem_, std::size_t stage_index, Fields<dim>& fields_)
@@ -85,21 +88,26 @@ void StagePlan<dim>::enter() {
 template <int dim>
 void StagePlan<dim>::resume(const std::map<std::string, std::vector<double>>& stored) {
   check();
-  const auto restore = [&stored](ColumnSet& set, const std::string& kind) {
+  const auto restore = [&stored](ColumnSet& set, const std::string& kind, std::size_t items, const auto& put) {
     set.allocate();
     set.free_unprovided();
     for (const auto& column : set.all()) {
       if (column->spec().lifetime != Lifetime::carried) continue;
       const auto found = stored.find(kind + "." + column->spec().name);
-      if (found == stored.end() || found->second.size() != column->values().size())
+      const std::size_t length = items * static_cast<std::size_t>(column->spec().components);
+      if (found == stored.end() || found->second.size() != length)
         throw CannotPlan("cannot continue this run: its state has no field '" + kind + "." + column->spec().name +
                          "' of the right length (it belongs to another problem). Start the run anew");
-      std::copy(found->second.begin(), found->second.end(), column->values().begin());
+      put(found->second, *column);
     }
   };
-  restore(fields.points.columns, "point");
-  restore(fields.grid.columns, "node");
-  restore(fields.run, "run");
+  const auto copy = [](const std::vector<double>& from, Column& to) {
+    std::copy(from.begin(), from.end(), to.values().begin());
+  };
+  restore(fields.points.columns, "point", fields.points.size(),
+          [this](const std::vector<double>& from, Column& to) { fields.points.put_in_order(from, to); });
+  restore(fields.grid.columns, "node", fields.grid.columns.size(), copy);
+  restore(fields.run, "run", fields.run.size(), copy);
   for (auto& body : at_ready_) body();
 }
 

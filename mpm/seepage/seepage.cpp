@@ -88,7 +88,7 @@ void Seepage<dim>::measure_cells(const StagePlan<dim>& plan) {
   const Problem<dim>& problem = plan.problem;
   const Column& volume = *plan.fields.points.columns.find("volume");
   mobility_.assign(plan.fields.grid.cell_count(), 0.0);
-  reach_.assign(plan.fields.points.size(), 0.0);
+  reach_.assign(plan.fields.points.slots(), 0.0);
   Stencil<dim> centre;
   for (const Block& block : plan.fields.points.blocks()) {
     const Soil& soil = problem.soils[static_cast<std::size_t>(plan.fields.grid.region(block.cell))];

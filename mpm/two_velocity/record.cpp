@@ -55,9 +55,9 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
     start_as_darcy(plan);
     std::ostringstream text;
     text << "stage '" << plan.stage.name << "' took over the water of seepage: " << before << " m3/m at the nodes, "
-         << point_water_->sum() - before << " m3/m more in the points";
+         << plan.fields.points.sum(*point_water_) - before << " m3/m more in the points";
     hand_over_ = text.str();
-    hand_over_change_ = point_water_->sum() - before;
+    hand_over_change_ = plan.fields.points.sum(*point_water_) - before;
   });
 }
 
@@ -111,9 +111,9 @@ template <int dim>
 void TwoVelocityLiquid<dim>::add_ledger(StagePlan<dim>& plan) {
   Column& ledger = plan.provide_on_run(water_ledger_spec());
   Column& outflow = plan.provide_on_nodes({"outflow", "Q_out", dim == 2 ? "m2" : "m3"});
-  const auto begin = [this, &ledger, &outflow] {
+  const auto begin = [this, &plan, &ledger, &outflow] {
     ledger[ledger_stored][0] = 0;
-    ledger[ledger_stored_points][0] = point_water_->sum();
+    ledger[ledger_stored_points][0] = plan.fields.points.sum(*point_water_);
     ledger[ledger_outflow][0] = outflow.sum();
   };
   plan.add(Phase::carry, "water ledger", begin);
@@ -159,13 +159,14 @@ void TwoVelocityLiquid<dim>::add_output(StagePlan<dim>& plan) {
     out.cell_saturation.assign(grid.cell_count(), nothing);
     out.points.pressure.assign(points.size(), nothing);
     out.points.saturation.assign(points.size(), nothing);
+    auto next_pressure = out.points.pressure.begin(), next_saturation = out.points.saturation.begin();
     for (const Block& block : points.blocks()) {
       const auto& law = saturation[static_cast<std::size_t>(grid.region(block.cell))];
       const double p = water_->cells.pressure[block.cell], s = law(p);
       out.cell_pressure[block.cell] = p;
       out.cell_saturation[block.cell] = s;
-      std::fill_n(out.points.pressure.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, p);
-      std::fill_n(out.points.saturation.begin() + static_cast<std::ptrdiff_t>(block.first), block.count, s);
+      next_pressure = std::fill_n(next_pressure, block.count, p);
+      next_saturation = std::fill_n(next_saturation, block.count, s);
       for (int i = 0; i < cell_nodes<dim>; ++i)
         out.node_saturation[static_cast<std::size_t>(block.nodes[i])] = law(p_node[0][block.nodes[i]]);
     }

@@ -1,0 +1,210 @@
+#include "mpm/skeleton/deforming_skeleton.h"
+
+#include "mpm/boundary/boundary_side.h"
+#include "mpm/skeleton/rigid_skeleton.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+/// How the skeleton joins a plan: columns, laws, kernels, limits. What the kernels do: skeleton_step.cpp.
+namespace wetfront::mpm {
+
+namespace {
+
+bool two_velocities(const Stage& stage) {
+  return stage.liquid == LiquidScheme::implicit_drag || stage.liquid == LiquidScheme::explicit_drag;
+}
+
+}  // namespace
+
+template <int dim>
+DeformingSkeleton<dim>::DeformingSkeleton(Origin origin)
+    : Effect<dim>("deforming skeleton", std::move(origin),
+                  "Lee 2021 Eqs 2, 11 to 17 and 19, corrected (mpm/skeleton/README.md)"),
+      cycle_(std::make_shared<SkeletonCycle<dim>>()) {}
+
+template <int dim>
+void DeformingSkeleton<dim>::provide_columns(StagePlan<dim>& plan) {
+  const std::string mass = dim == 2 ? "kg/m" : "kg";
+  const std::string force = dim == 2 ? "N/m" : "N";
+  c_.position = &plan.require_on_points("position");
+  c_.volume = &plan.require_on_points("volume");
+  const Column* earlier_mass = plan.fields.points.columns.find("mass");
+  const bool fresh = earlier_mass == nullptr || !earlier_mass->allocated();
+  c_.mass = &plan.provide_on_points({"mass", "m_s", mass});
+  c_.velocity = &plan.provide_on_points({"velocity", "v_s", "m/s", dim});
+  c_.stress = &plan.provide_on_points({"stress", "sigma'", "Pa", stress_components<dim>});
+  c_.node_mass = &plan.provide_on_nodes({"mass", "m_i", mass, 1, Lifetime::step});
+  c_.node_force = &plan.provide_on_nodes({"force", "f_i", force, dim, Lifetime::step});
+  c_.node_velocity = &plan.provide_on_nodes({"velocity", "v_i", "m/s", dim, Lifetime::step});
+  c_.node_acceleration = &plan.provide_on_nodes({"acceleration", "a_i", "m/s2", dim, Lifetime::step});
+  c_.node_displacement = &plan.provide_on_nodes({"displacement", "u_i", "m", dim});
+  rates_ = &plan.provide_on_run(
+      {"skeleton rates", "(c/h)^2, (v/h)^2", "1/s2", 2 * static_cast<int>(plan.problem.soils.size())});
+  provide_variants(plan);
+  if (fresh) plan.at_entry([this, &plan] { begin_points(plan); });
+}
+
+/// Columns that only some schemes and problems call for.
+template <int dim>
+void DeformingSkeleton<dim>::provide_variants(StagePlan<dim>& plan) {
+  const SkeletonScheme& scheme = plan.problem.skeleton;
+  if (scheme.transfer == Transfer::apic)
+    c_.affine = &plan.provide_on_points({"affine velocity", "C", "1/s", dim * dim});
+  if (scheme.transfer == Transfer::apic || scheme.pic > 0)
+    c_.node_new_velocity = &plan.provide_on_nodes({"new velocity", "v_i + dt a_i", "m/s", dim, Lifetime::step});
+  if (plan.problem.body_acceleration) {
+    c_.initial_position = &plan.provide_on_points({"initial position", "X", "m", dim});
+    body_ = &plan.provide_on_points({"body acceleration", "b", "m/s2", dim, Lifetime::step});
+  }
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::begin_points(StagePlan<dim>& plan) {
+  const auto& points = plan.fields.points;
+  for (const Block& block : points.blocks()) {
+    const Soil& soil = plan.problem.soils[static_cast<std::size_t>(block.soil)];
+    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
+      (*c_.mass)[0][p] = (1 - soil.porosity) * soil.grain_density * (*c_.volume)[0][p];
+      const Vector<dim> x = points.position(p);
+      const Vector<dim> v = plan.problem.initial_velocity ? plan.problem.initial_velocity(x) : Vector<dim>{};
+      for (int a = 0; a < dim; ++a) {
+        (*c_.velocity)[a][p] = v[a];
+        if (c_.initial_position != nullptr) (*c_.initial_position)[a][p] = x[a];
+      }
+    }
+  }
+  for (std::size_t r = 0; r < soils_.size(); ++r) soils_[r]->begin(points.blocks(static_cast<int>(r)));
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::find_fixed(StagePlan<dim>& plan) {
+  for (auto& axis : cycle_->fixed) axis.assign(plan.fields.grid.columns.size(), 0);
+  for (const Fixity& fixity : plan.problem.fixities)
+    for (const auto& node : boundary_side(plan, fixity.side, "a fixity", fixity.origin).nodes)
+      for (std::size_t a = 0; a < dim; ++a) {
+        char& held = cycle_->fixed[a][static_cast<std::size_t>(node.index)];
+        if (fixity.fixed[a] && !held) fixed_[a].push_back(node.index);
+        held = held || fixity.fixed[a];
+      }
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::choose_laws(StagePlan<dim>& plan) {
+  const auto& grid = plan.fields.grid;
+  altitude_.clear();
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) altitude_.push_back(grid.smallest_altitude(cell));
+  std::map<std::string, Column*> provided;
+  const auto memory = [&](const std::vector<ColumnSpec>& specs) {
+    std::vector<MemoryColumn> columns;
+    for (const ColumnSpec& spec : specs) {
+      auto& column = provided[spec.name];
+      if (column == nullptr) column = &plan.provide_on_points(spec);
+      for (int c = 0; c < spec.components; ++c) columns.push_back({column, c});
+    }
+    return columns;
+  };
+  const SoilMotionSetting<dim> setting{grid, c_, altitude_, plan.problem.skeleton.shape, memory};
+  for (const Soil& soil : plan.problem.soils) {
+    if (soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law))
+      c_.suction = &plan.require_on_points("suction");
+    soils_.push_back(make_soil_motion<dim>(soil, setting));
+  }
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::add_kernels(StagePlan<dim>& plan) {
+  const bool dynamic = plan.stage.motion == SkeletonMotion::dynamic;
+  const bool first = plan.problem.skeleton.update == StressUpdate::usf;
+  const auto add = [&](Phase phase, const char* name, std::function<void()> body) {
+    return &(dynamic ? plan.add(phase, name, std::move(body)) : plan.add_iterated(phase, name, std::move(body)));
+  };
+  cycle_->damping = plan.stage.local_damping;
+  cycle_->gather =
+      add(Phase::gather, first ? "masses, momenta, stress, internal forces" : "masses, momenta, internal forces",
+          [this, &plan, dynamic] {
+            if (dynamic) cycle_->dt = plan.clock.dt;
+            gather();
+          });
+  cycle_->accelerate = add(Phase::accelerate, "accelerations", [this] { accelerate(); });
+  cycle_->points = add(Phase::point_velocity,
+                       plan.problem.skeleton.update == StressUpdate::musl ? "points, and momentum back" : "points",
+                       [this] { points(); });
+  cycle_->velocity = add(Phase::point_velocity, "nodal velocity", [this] { velocity(); });
+  cycle_->move = add(Phase::move, first ? "positions" : "deformation, stress, volumes, positions",
+                     [this, first] { move(!first, true); });
+  cycle_->migrate = add(Phase::carry, "migration", [this] { migration_->run(); });
+}
+
+/// Stencils as columns, for who reads them.
+template <int dim>
+void DeformingSkeleton<dim>::add_stencils(StagePlan<dim>& plan) {
+  Column& value = plan.provide_on_points(shape_value_spec<dim>());
+  Column& gradient = plan.provide_on_points(shape_gradient_spec<dim>());
+  plan.add_over_blocks(Phase::gather, "stencils", [&fields = plan.fields, &value, &gradient](const Block& block) {
+    fill_stencils<dim>(fields.grid, fields.points, block, value, gradient);
+  });
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::add_limits(StagePlan<dim>& plan) {
+  const auto wave = [this](std::size_t soil) {
+    return 1 / std::sqrt(static_cast<double>(dim) * (*rates_)[2 * static_cast<int>(soil)][0]);
+  };
+  const auto motion = [this, soils = soils_.size()] {
+    double rate = 0;
+    for (std::size_t r = 0; r < soils; ++r) rate = std::max(rate, (*rates_)[2 * static_cast<int>(r) + 1][0]);
+    return 1 / std::sqrt(rate);
+  };
+  cycle_->stable_step = [wave, motion, soils = soils_.size()] {
+    double step = motion();
+    for (std::size_t r = 0; r < soils; ++r) step = std::min(step, wave(r));
+    return step;
+  };
+  if (plan.stage.motion != SkeletonMotion::dynamic) return;
+  for (std::size_t r = 0; r < soils_.size(); ++r)
+    plan.add_stability_limit("compression wave [" + plan.problem.soils[r].name + "]",
+                             "h/(sqrt(dim) c), c^2 = E_oed V/m_s, the least over the points",
+                             [wave, r] { return wave(r); });
+  plan.add_stability_limit("motion of points", "h/|v|, the least over the points", motion);
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::tell(StagePlan<dim>& plan) {
+  plan.at_output([this, &plan](meshes::Snapshot& out) {
+    out.node_displacement.resize(plan.fields.grid.node_count());
+    for (std::size_t i = 0; i < out.node_displacement.size(); ++i)
+      for (int a = 0; a < dim; ++a)
+        out.node_displacement[i][static_cast<std::size_t>(a)] = (*c_.node_displacement)[a][i];
+  });
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::join(StagePlan<dim>& plan) {
+  plan_ = &plan;
+  provide_columns(plan);
+  find_fixed(plan);
+  choose_laws(plan);
+  migration_ = std::make_unique<Migration<dim>>(plan);
+  const Column* gravity = plan.fields.run.find("gravity");
+  if (gravity != nullptr && !gravity->provided_by().empty()) gravity_ = gravity;
+  const auto& grid = plan.fields.grid;
+  chunks_ = std::make_unique<Chunks<dim>>(grid.cell_count(), grid.node_count(), [&grid](std::size_t cell) {
+    return std::vector<int>(grid.cell_nodes_of(cell), grid.cell_nodes_of(cell) + cell_nodes<dim>);
+  });
+  active_ = std::make_unique<ActiveNodes>(grid.columns.size());
+  migration_->prepare(chunks_->size());
+  found_.resize(chunks_->size() * soils_.size());
+  if (two_velocities(plan.stage)) add_stencils(plan);
+  add_kernels(plan);
+  add_limits(plan);
+  plan.at_begin([this] { find_rates(); });
+  tell(plan);
+  plan.expect_cost(50e-9 * static_cast<double>(plan.fields.points.size()));  // measured, README.md
+}
+
+template class DeformingSkeleton<2>;
+template class DeformingSkeleton<3>;
+
+}  // namespace wetfront::mpm

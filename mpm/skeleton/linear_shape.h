@@ -1,0 +1,176 @@
+#pragma once
+
+#include "mpm/grid/material_points.h"
+#include "mpm/lanes.h"
+
+namespace wetfront::mpm {
+
+/// Four points in a cell: shape functions, their slopes along the local axes, and the map.
+template <int dim, int nodes>
+struct LaneStencil {
+  std::array<Lanes, dim> local;                     ///< u in [0, 1] inside the cell
+  std::array<Lanes, nodes> value;                   ///< N_i [-]
+  std::array<std::array<Lanes, dim>, nodes> slope;  ///< dN_i/du_b [-]
+  std::array<std::array<Lanes, dim>, dim> inverse;  ///< [b][a] = du_b/dx_a [1/m]
+};
+
+/// Shape functions of quadrilaterals and hexahedra for the points of one cell, four at a time. Affine cells take one
+/// matrix product, others Newton's method in lanes.
+template <int dim>
+class LinearShape {
+ public:
+  static constexpr int nodes = cell_nodes<dim>;
+  using Stencil = LaneStencil<dim, nodes>;
+  using Place = std::array<Lanes, dim>;
+
+  explicit LinearShape(const Grid<dim>& grid) : grid_(grid) {}
+
+  void enter(const Block& block) {
+    cell_ = block.cell;
+    node_ = block.nodes;
+    affine_ = grid_.affine(cell_);
+    const auto& map = grid_.map(cell_);
+    for (int b = 0; b < dim; ++b) {
+      centre_[b] = map.centre[b];
+      for (int a = 0; a < dim; ++a) inverse_[b][a] = 0.5 * map.inverse[b][a];
+    }
+  }
+  int node(int i) const { return node_[i]; }
+
+  /// Mean over the cell of dN_i/dx_a.
+  void mean_gradients(std::array<Vector<dim>, nodes>& mean) const {
+    if (!affine_) return crooked_mean(mean);
+    for (int i = 0; i < nodes; ++i)
+      for (int a = 0; a < dim; ++a) {
+        mean[i][a] = 0;
+        for (int b = 0; b < dim; ++b) mean[i][a] += inverse_[b][a] * (node_sign(i, b) * (2.0 / nodes));
+      }
+  }
+
+  [[gnu::always_inline]] Place local(const Place& x) const {
+    Place u;
+    for (int b = 0; b < dim; ++b) {
+      u[b] = Lanes(0.5);
+      for (int a = 0; a < dim; ++a) u[b] += (x[a] - centre_[a]) * inverse_[b][a];
+    }
+    if (!affine_) crooked_local(x, u);
+    return u;
+  }
+  [[gnu::always_inline]] LaneMask outside(const Place& x) const {
+    const Place u = local(x);
+    constexpr double border = 0.5e-10;  // as Grid::find_cell
+    LaneMask out = u[0] < -border || u[0] > 1 + border;
+    for (int b = 1; b < dim; ++b) out = out || u[b] < -border || u[b] > 1 + border;
+    return out;
+  }
+  /// Values only.
+  [[gnu::always_inline]] void values(const Place& x, Stencil& at) const {
+    at.local = local(x);
+    set_values(at);
+  }
+  [[gnu::always_inline]] void all(const Place& x, Stencil& at) const {
+    at.local = local(x);
+    set_values(at);
+    set_slopes(at);
+    for (int b = 0; b < dim; ++b)
+      for (int a = 0; a < dim; ++a) at.inverse[b][a] = Lanes(inverse_[b][a]);
+    if (!affine_) crooked_inverse(at);
+  }
+  /// Place of node i less the points' [m], for affine velocities.
+  [[gnu::always_inline]] Lanes arm(int i, int axis, const Place& x, const Stencil&) const {
+    return grid_.node(node_[i])[axis] - x[axis];
+  }
+
+ private:
+  static constexpr bool upper(int i, int axis) { return node_sign(i, axis) > 0; }
+
+  [[gnu::always_inline]] void set_values(Stencil& at) const {
+    std::array<Lanes, dim> other;
+    for (int a = 0; a < dim; ++a) other[a] = 1.0 - at.local[a];
+    for (int i = 0; i < nodes; ++i) {
+      at.value[i] = upper(i, 0) ? at.local[0] : other[0];
+      for (int a = 1; a < dim; ++a) at.value[i] *= upper(i, a) ? at.local[a] : other[a];
+    }
+  }
+  [[gnu::always_inline]] void set_slopes(Stencil& at) const {
+    std::array<Lanes, dim> other;
+    for (int a = 0; a < dim; ++a) other[a] = 1.0 - at.local[a];
+    const auto factor = [&](int i, int a) { return upper(i, a) ? at.local[a] : other[a]; };
+    for (int i = 0; i < nodes; ++i)
+      for (int b = 0; b < dim; ++b) {
+        Lanes product = factor(i, (b + 1) % dim);
+        if constexpr (dim == 3) product *= factor(i, (b + 2) % dim);
+        at.slope[i][b] = upper(i, b) ? product : -product;
+      }
+  }
+  /// J[a][b] = dx_a/du_b of the slopes; its inverse into at.inverse.
+  void crooked_inverse(Stencil& at) const {
+    std::array<std::array<Lanes, dim>, dim> jacobian{};
+    for (int i = 0; i < nodes; ++i)
+      for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b) jacobian[a][b] += grid_.node(node_[i])[a] * at.slope[i][b];
+    invert(jacobian, at.inverse);
+  }
+  /// Newton's method from the affine guess; quadratic, a convex cell never needs 20 steps. Lanes far outside (dead
+  /// slots, points about to be held) are kept within three cells.
+  void crooked_local(const Place& x, Place& u) const {
+    Stencil at;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      for (Lanes& c : u) c = max(min(c, Lanes(2.0)), Lanes(-1.0));
+      at.local = u;
+      set_values(at);
+      set_slopes(at);
+      crooked_inverse(at);
+      Place miss = x;
+      for (int i = 0; i < nodes; ++i)
+        for (int a = 0; a < dim; ++a) miss[a] -= at.value[i] * grid_.node(node_[i])[a];
+      LaneMask moving(false);
+      for (int b = 0; b < dim; ++b) {
+        Lanes step = at.inverse[b][0] * miss[0];
+        for (int a = 1; a < dim; ++a) step += at.inverse[b][a] * miss[a];
+        u[b] += step;
+        moving = moving || abs(step) > 5e-15;
+      }
+      if (!any(moving)) break;
+    }
+  }
+  static void invert(const std::array<std::array<Lanes, dim>, dim>& m, std::array<std::array<Lanes, dim>, dim>& out) {
+    if constexpr (dim == 2) {
+      const Lanes scale = 1.0 / (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
+      out = {{{m[1][1] * scale, -m[0][1] * scale}, {-m[1][0] * scale, m[0][0] * scale}}};
+    } else {
+      const auto cofactor = [&m](int r, int c) {
+        const int r0 = (r + 1) % 3, r1 = (r + 2) % 3, c0 = (c + 1) % 3, c1 = (c + 2) % 3;
+        return m[r0][c0] * m[r1][c1] - m[r0][c1] * m[r1][c0];
+      };
+      const Lanes scale = 1.0 / (m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2));
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) out[c][r] = cofactor(r, c) * scale;
+    }
+  }
+  /// Integral of dN_i/dx over the volume, two Gauss points per axis (exact in the plane).
+  void crooked_mean(std::array<Vector<dim>, nodes>& mean) const {
+    mpm::Stencil<dim> s;
+    double volume = 0;
+    mean = {};
+    for (int corner = 0; corner < nodes; ++corner) {
+      Vector<dim> xi{};
+      for (int a = 0; a < dim; ++a) xi[a] = node_sign(corner, a) * 0.57735026918962576;
+      const double weight = grid_.stencil(cell_, xi, s);
+      volume += weight;
+      for (int i = 0; i < nodes; ++i)
+        for (int a = 0; a < dim; ++a) mean[i][a] += weight * s.gradient[i][a];
+    }
+    for (auto& m : mean)
+      for (double& c : m) c /= volume;
+  }
+
+  const Grid<dim>& grid_;
+  std::size_t cell_ = 0;
+  const int* node_ = nullptr;
+  bool affine_ = true;
+  Vector<dim> centre_{};
+  std::array<Vector<dim>, dim> inverse_{};  ///< du/dx
+};
+
+}  // namespace wetfront::mpm

@@ -1,0 +1,220 @@
+#include "mpm/skeleton/deforming_skeleton.h"
+
+#include <cmath>
+
+/// One cycle of the deforming skeleton (README.md: phase -> equation).
+namespace wetfront::mpm {
+
+/// Cells chunk by chunk, colour by colour: chunks of one colour share no node.
+template <int dim>
+template <class Body>
+void DeformingSkeleton<dim>::over_chunks(const Body& body) {
+  for (const auto& colour : chunks_->colours())
+    for (std::size_t chunk : colour)
+      for (std::size_t soil = 0; soil < soils_.size(); ++soil)
+        body(*soils_[soil], chunks_->blocks(plan_->fields.points, chunk, static_cast<int>(soil)), chunk, soil);
+}
+
+/// Who is where, when that has changed. Nodes that are left behind keep no motion.
+template <int dim>
+void DeformingSkeleton<dim>::refresh() {
+  const auto& points = plan_->fields.points;
+  if (version_ == points.version()) return;
+  for (Column* column : {c_.node_mass, c_.node_force, c_.node_velocity, c_.node_acceleration, c_.node_new_velocity})
+    for (int c = 0; column != nullptr && c < column->spec().components; ++c)
+      for (const NodeRun& run : active_->runs()) std::fill((*column)[c] + run.first, (*column)[c] + run.last, 0.0);
+  active_->clear();
+  for (const Block& block : points.blocks())
+    for (int i = 0; i < cell_nodes<dim>; ++i) active_->mark(block.nodes[i]);
+  active_->finish();
+  chunks_->update(points, static_cast<int>(soils_.size()));
+  version_ = points.version();
+}
+
+/// I and the internal forces of II; with the stress first (USF) also IV and V.
+template <int dim>
+void DeformingSkeleton<dim>::gather() {
+  refresh();
+  for (Column* column : {c_.node_mass, c_.node_force, c_.node_velocity})
+    for (int c = 0; c < column->spec().components; ++c)
+      for (const NodeRun& run : active_->runs()) std::fill((*column)[c] + run.first, (*column)[c] + run.last, 0.0);
+  const bool first = plan_->problem.skeleton.update == StressUpdate::usf;
+  gather_cells(true, !first);
+  if (first) {
+    divide_momentum();
+    for (const auto& condition : cycle_->conditions) condition->limit_velocity();
+    move(true, false);
+    gather_cells(false, true);
+  }
+  if (body_ != nullptr) push();
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::gather_cells(bool motion, bool force) {
+  const GatherParts parts{motion, force, plan_->problem.skeleton.locking == LockingRemedy::b_bar};
+  over_chunks([&parts](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
+    soil.gather(blocks, parts);
+  });
+}
+
+/// Accelerations that the problem gives to the points, at the beginning of the step.
+template <int dim>
+void DeformingSkeleton<dim>::push() {
+  for (const Block& block : plan_->fields.points.blocks())
+    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
+      Vector<dim> began;
+      for (int a = 0; a < dim; ++a) began[a] = (*c_.initial_position)[a][p];
+      const Vector<dim> given = plan_->problem.body_acceleration(began, plan_->clock.time);
+      for (int a = 0; a < dim; ++a) (*body_)[a][p] = given[a];
+    }
+  over_chunks([this](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
+    soil.push(blocks, *body_);
+  });
+}
+
+/// "velocity" from momentum to velocity.
+template <int dim>
+void DeformingSkeleton<dim>::divide_momentum() {
+  const double* mass = (*c_.node_mass)[0];
+  for (int a = 0; a < dim; ++a) {
+    double* v = (*c_.node_velocity)[a];
+    for (const NodeRun& run : active_->runs())
+      for (std::size_t i = run.first; i < run.last; ++i) v[i] = mass[i] > 0 ? v[i] / mass[i] : 0.0;
+  }
+  hold_fixed(*c_.node_velocity);
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::add_weight() {
+  const double* mass = (*c_.node_mass)[0];
+  for (int a = 0; a < dim; ++a) {
+    const double g = (*gravity_)[a][0];
+    double* force = (*c_.node_force)[a];
+    if (g == 0) continue;
+    for (const NodeRun& run : active_->runs())
+      for (std::size_t i = run.first; i < run.last; ++i) force[i] += mass[i] * g;
+  }
+}
+
+/// II: a_i = f_i/m_i with weight, conditions, damping.
+template <int dim>
+void DeformingSkeleton<dim>::accelerate() {
+  if (plan_->problem.skeleton.update != StressUpdate::usf) divide_momentum();
+  if (gravity_ != nullptr) add_weight();
+  for (const auto& condition : cycle_->conditions) condition->add_force();
+  for (const auto& condition : cycle_->conditions) condition->see_force();
+  const double* mass = (*c_.node_mass)[0];
+  const double damping = cycle_->damping;
+  for (int a = 0; a < dim; ++a) {
+    double *force = (*c_.node_force)[a], *acceleration = (*c_.node_acceleration)[a];
+    const double* v = (*c_.node_velocity)[a];
+    for (const NodeRun& run : active_->runs()) {
+      if (damping > 0)
+        for (std::size_t i = run.first; i < run.last; ++i)
+          if (v[i] != 0) force[i] -= damping * std::copysign(std::abs(force[i]), v[i]);
+      for (std::size_t i = run.first; i < run.last; ++i) acceleration[i] = mass[i] > 0 ? force[i] / mass[i] : 0.0;
+    }
+  }
+  hold_fixed(*c_.node_acceleration);
+  for (const auto& condition : cycle_->conditions) condition->limit_acceleration();
+}
+
+/// III: points take the motion of the nodes; MUSL: and give it back.
+template <int dim>
+void DeformingSkeleton<dim>::points() {
+  const SkeletonScheme& scheme = plan_->problem.skeleton;
+  const bool back = scheme.update == StressUpdate::musl;
+  if (c_.node_new_velocity != nullptr)
+    for (int a = 0; a < dim; ++a)
+      for (const NodeRun& run : active_->runs())
+        for (std::size_t i = run.first; i < run.last; ++i)
+          (*c_.node_new_velocity)[a][i] = (*c_.node_velocity)[a][i] + cycle_->dt * (*c_.node_acceleration)[a][i];
+  if (back)
+    for (int a = 0; a < dim; ++a)
+      for (const NodeRun& run : active_->runs())
+        std::fill((*c_.node_velocity)[a] + run.first, (*c_.node_velocity)[a] + run.last, 0.0);
+  const TransferParts parts{cycle_->dt, scheme.pic, true, back};
+  over_chunks([&parts](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
+    soil.points(blocks, parts);
+  });
+}
+
+/// The velocities that strain and move the points: mapped back (MUSL, Eq. 14) or the nodes' own.
+template <int dim>
+void DeformingSkeleton<dim>::velocity() {
+  const double dt = cycle_->dt;
+  if (plan_->problem.skeleton.update == StressUpdate::musl) {
+    divide_momentum();
+  } else {
+    for (int a = 0; a < dim; ++a)
+      for (const NodeRun& run : active_->runs())
+        for (std::size_t i = run.first; i < run.last; ++i)
+          (*c_.node_velocity)[a][i] += dt * (*c_.node_acceleration)[a][i];
+    hold_fixed(*c_.node_velocity);
+  }
+  for (const auto& condition : cycle_->conditions) condition->limit_velocity();
+  for (int a = 0; a < dim; ++a) {
+    double* u = (*c_.node_displacement)[a];
+    const double* v = (*c_.node_velocity)[a];
+    for (const NodeRun& run : active_->runs())
+      for (std::size_t i = run.first; i < run.last; ++i) u[i] += dt * v[i];
+  }
+}
+
+/// IV, V and VIII.
+template <int dim>
+void DeformingSkeleton<dim>::move(bool strain, bool move) {
+  const MoveParts parts{cycle_->dt, strain, move, plan_->problem.skeleton.locking == LockingRemedy::b_bar};
+  over_chunks([&](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t chunk, std::size_t number) {
+    MoveFindings& found = found_[number * chunks_->size() + chunk];
+    if (strain) found.wave = Lanes(0.0);
+    found.motion = Lanes(0.0);
+    found.leaving = &migration_->leaving(chunk);
+    soil.move(blocks, parts, found);
+  });
+  if (move) keep_rates();
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::find_rates() {
+  refresh();
+  over_chunks([&](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t chunk, std::size_t number) {
+    MoveFindings& found = found_[number * chunks_->size() + chunk];
+    found.wave = found.motion = Lanes(0.0);
+    soil.rates(blocks, found);
+  });
+  keep_rates();
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::keep_rates() {
+  for (std::size_t soil = 0; soil < soils_.size(); ++soil) {
+    Lanes wave(0.0), motion(0.0);
+    for (std::size_t chunk = 0; chunk < chunks_->size(); ++chunk) {
+      const MoveFindings& found = found_[soil * chunks_->size() + chunk];
+      wave = max(wave, found.wave);
+      motion = max(motion, found.motion);
+    }
+    (*rates_)[2 * static_cast<int>(soil)][0] = std::experimental::hmax(wave);
+    (*rates_)[2 * static_cast<int>(soil) + 1][0] = std::experimental::hmax(motion);
+  }
+}
+
+template <int dim>
+void DeformingSkeleton<dim>::hold_fixed(Column& vector) const {
+  for (int a = 0; a < dim; ++a)
+    for (int node : fixed_[static_cast<std::size_t>(a)]) vector[a][node] = 0;
+}
+
+#define WETFRONT_INSTANTIATE(d)                         \
+  template void DeformingSkeleton<d>::gather();         \
+  template void DeformingSkeleton<d>::accelerate();     \
+  template void DeformingSkeleton<d>::points();         \
+  template void DeformingSkeleton<d>::velocity();       \
+  template void DeformingSkeleton<d>::move(bool, bool); \
+  template void DeformingSkeleton<d>::find_rates();
+WETFRONT_INSTANTIATE(2)
+WETFRONT_INSTANTIATE(3)
+#undef WETFRONT_INSTANTIATE
+
+}  // namespace wetfront::mpm
