@@ -17,4 +17,6 @@ std::vector<Case> footing_cases();              ///< Prandtl
 std::vector<Case> incline_cases();              ///< a block slides or sticks; an infinite slope
 std::vector<Case> collapse_cases();             ///< dry columns fall
 
+std::vector<Case> wet_column_cases();  ///< Terzaghi, de Boer, undrained loads, a flying block
+
 }  // namespace wetfront::verification

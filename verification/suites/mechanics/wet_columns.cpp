@@ -1,0 +1,188 @@
+#include "verification/exact/de_boer.h"
+#include "verification/exact/terzaghi.h"
+#include "verification/exact/undrained.h"
+#include "verification/present/figure_frame.h"
+#include "verification/suites/mechanics/families.h"
+#include "verification/suites/mechanics/motion_book.h"
+#include "verification/suites/mechanics/motion_setups.h"
+#include "verification/suites/mechanics/wet_setups.h"
+#include "verification/suites/series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+using mpm::LiquidScheme;
+
+/// Pressure of the lowest cell and rms over the cells, of the exact initial pressure; settlement of the top.
+struct Consolidation {
+  double base, rms, settlement;
+};
+
+double settled(const meshes::Snapshot& snapshot) {
+  return -snapshot.node_displacement.back()[1];  // the last node is on the top
+}
+
+exact::Terzaghi terzaghi_of(const WetColumn& c) {
+  return {c.height, c.conductivity, 9810, c.oedometer_modulus(), c.load, c.porosity, c.water_modulus};
+}
+
+void consolidate(LiquidScheme scheme, const std::vector<double>& factors, MotionBook& book) {
+  const WetColumn column;
+  const exact::TerzaghiSolution exact(terzaghi_of(column));
+  std::vector<double> times;
+  for (const double factor : factors)
+    times.push_back(factor * column.height * column.height / exact.consolidation_coefficient());
+  const auto motion = book.move<2>("40 cells", wet_problem(column, scheme, times));
+  auto figure = figure_frame({"isochrones", "Excess pore pressure over height", "Profiles"}, {"pore pressure", "kPa"},
+                             {"height", "m"});
+  const Gate gate{0.01, "1", "the issue's, at h = H/40"};
+  for (std::size_t t = 0; t < times.size(); ++t) {
+    const auto& snapshot = motion.history.snapshots[t];
+    auto curve = line(fmt::format("Terzaghi, T = {:g}", factors[t]), static_cast<int>(t));
+    auto dots = points(fmt::format("T = {:g}", factors[t]), static_cast<int>(t));
+    double squares = 0;
+    for (int c = 0; c < column.cells; ++c) {
+      const double y = column.height * (c + 0.5) / column.cells, p = exact.pressure(column.height - y, times[t]);
+      const double ours = snapshot.cell_pressure[static_cast<std::size_t>(c)];
+      squares += std::pow(ours - p, 2) / column.cells;
+      put(curve, p / 1e3, y);
+      put(dots, ours / 1e3, y);
+    }
+    figure.series.push_back(curve);
+    figure.series.push_back(dots);
+    const std::string at = fmt::format(", T = {:g}", factors[t]);
+    book.page.judge("error", "rms error of the pressure over the cells, relative to that of the start" + at,
+                    std::sqrt(squares) / exact.initial_pressure(), gate);
+    book.page.expect("settlement", "settlement [m]" + at, settled(snapshot), exact.settlement(times[t]), gate);
+  }
+  book.page.draw(figure);
+}
+
+/// Skeleton and water with inertia, water nearly incompressible.
+void de_boer(MotionBook& book) {
+  WetColumn column;
+  column.height = 5, column.porosity = 0.33, column.grain_density = 2000;
+  const double lame = 5.5833e6, shear = 8.375e6;
+  column.young = shear * (3 * lame + 2 * shear) / (lame + shear);
+  column.poisson = lame / (2 * (lame + shear));
+  column.conductivity = 1e-2, column.water_modulus = 20e9, column.load = 3e3, column.cells = 100;
+  const exact::DeBoerSolution exact({lame, shear, 0.67, 2000, 1000, 1e-2, 9810, [](double) { return 3e3; }});
+  const auto motion = book.move<2>("100 cells", wet_problem(column, LiquidScheme::implicit_drag, evenly(0.05, 25)));
+  auto figure = figure_frame({"settlement", "Displacement of the skeleton", "Time series"}, {"time", "s"},
+                             {"displacement", "mm"});
+  auto top = line("de Boer et al., z = 0", 0), low = line("de Boer et al., z = 1 m", 1);
+  auto our_top = points("two velocities, z = 0", 0), our_low = points("two velocities, z = 1 m", 1);
+  const std::size_t row = 2 * 80;  // nodes of the level 4 m over the base
+  double worst = 0, worst_low = 0;
+  for (const auto& snapshot : motion.history.snapshots) {
+    const double u = exact.displacement(0, snapshot.time), v = exact.displacement(1, snapshot.time);
+    const double ours = settled(snapshot), below = -snapshot.node_displacement[row][1];
+    put(top, snapshot.time, 1e3 * u), put(low, snapshot.time, 1e3 * v);
+    put(our_top, snapshot.time, 1e3 * ours), put(our_low, snapshot.time, 1e3 * below);
+    worst = std::max(worst, std::abs(ours - u)), worst_low = std::max(worst_low, std::abs(below - v));
+  }
+  const double last = exact.displacement(0, 0.05);
+  const Gate gate{0.02, "1",
+                  "water of 20 GPa, not incompressible, leaves 0.3 % (the column compressed undrained); 5 cm cells "
+                  "smear the arrival over 1 ms"};
+  book.page.judge("error", "largest error of the surface's displacement over 0.05 s, relative to its last",
+                  worst / last, gate);
+  book.page.judge("error", "the same 1 m below", worst_low / last, gate);
+  figure.series = {top, low, our_top, our_low};
+  book.page.draw(figure);
+}
+
+/// Water of 2.15 GPa, 1e-9 m/s, a load put on at once: whatever the time, what is far from the drain bears the
+/// undrained pressure, and near it no pressure lies above that.
+void undrained_load(MotionBook& book) {
+  WetColumn column;
+  column.conductivity = 1e-9, column.water_modulus = 2.15e9, column.cells = 20;
+  const double expected =
+      exact::undrained_pressure({column.oedometer_modulus(), column.water_modulus, column.porosity}, column.load);
+  for (const bool drained : {true, false})
+    for (const double end : {1e-3, 1.0, 1e3}) {
+      column.drained = drained;
+      const std::string label = fmt::format("{}, {:g} s", drained ? "drained top" : "closed box", end);
+      const auto motion = book.move<2>(label, wet_problem(column, LiquidScheme::seepage, {end}));
+      const auto& p = motion.history.snapshots.back().cell_pressure;
+      book.page.expect("error", "pressure of the lowest cell [Pa], " + label, p.front(), expected,
+                       {0.001, "1", "no water can leave that far from the drain"});
+      book.page.judge("overshoot", "pressure above the undrained one, relative, " + label,
+                      std::max(0.0, *std::ranges::max_element(p) / expected - 1),
+                      {0.01, "1", "equal-order pairs swing by 100 % at the drain; the stabilised split shall not"});
+    }
+}
+
+/// A wetted block that flies through empty cells takes its water with it.
+void flying_block(MotionBook& book) {
+  const int across = 8, cells = 40;
+  const double h = 0.05, speed = 1;
+  for (const int points : {1, 4, 9}) {
+    WetColumn sand;
+    mpm::Problem<2> problem = wet_problem(sand, LiquidScheme::implicit_drag, evenly(24 * h / speed, 4));
+    problem.mesh = rectangle_mesh(cells * h, 12 * h, cells, 12);
+    problem.skeleton_boundary.clear();
+    problem.fixities.clear();
+    problem.water_boundary = {mpm::RainSide{mpm::free_surface, {}, "suite"}};
+    problem.points_per_cell = points;
+    fill_only<2>(problem, [&](const meshes::Point& at) {
+      return at[0] > 2 * h && at[0] < (2 + across) * h && at[1] > 2 * h && at[1] < (2 + across) * h;
+    });
+    problem.initial_velocity = [speed](const std::array<double, 2>&) { return std::array{speed, 0.0}; };
+    problem.soils[0].intrinsic_permeability = intrinsic(1e-9);
+    problem.initial_pressure.clear();
+    for (const auto& node : problem.mesh.nodes)
+      problem.initial_pressure.push_back(-3e3 - 4e3 * (node[0] - 2 * h) / (across * h));
+    const auto motion = book.move<2>(fmt::format("{} points per cell", points), problem);
+    const auto& ledger = motion.history.ledger;
+    double worst = 0;
+    for (const auto& row : ledger) worst = std::max(worst, std::abs(row.stored / ledger.front().stored - 1));
+    book.page.judge("water", fmt::format("water gained or lost through 24 cells, {} points per cell", points), worst,
+                    {1e-10, "1", "the points carry it"});
+  }
+}
+
+}  // namespace
+
+std::vector<Case> wet_column_cases() {
+  const std::string requirement = "A loaded saturated column consolidates as Terzaghi has it.";
+  const std::string source = "Terzaghi 1923, Verruijt 2013; benchmarks.md section 3.1.";
+  return {
+      motion_case(
+          {"terzaghi_seepage", "H1 Terzaghi, seepage in a skeleton at rest", requirement, source, Effort::quick, {}},
+          [](MotionBook& book) {
+            consolidate(LiquidScheme::seepage, {0.05, 0.2, 0.5, 1}, book);
+          }),
+      motion_case({"terzaghi_two_velocities", "H1 Terzaghi, two velocities", requirement, source, Effort::everyday, {}},
+                  [](MotionBook& book) {
+                    consolidate(LiquidScheme::implicit_drag, {0.05, 0.1, 0.2}, book);
+                  }),
+      motion_case({"de_boer",
+                   "H1 Dynamic column, both phases with inertia",
+                   "A step load travels into a porous half-space as de Boer, Ehlers and Liu have it.",
+                   "de Boer et al. 1993; benchmarks.md section 3.2.",
+                   Effort::everyday,
+                   {}},
+                  de_boer),
+      motion_case({"undrained_load",
+                   "H1 Undrained step load and box",
+                   "Without time to drain water bears the load, at any step, without swinging.",
+                   "Verruijt 2013; physics.md section 1.7.",
+                   Effort::quick,
+                   {}},
+                  undrained_load),
+      motion_case({"flying_block",
+                   "H1 A wetted block moves through cells",
+                   "Moving points keep their water.",
+                   "physics.md section 1.8.",
+                   Effort::everyday,
+                   {}},
+                  flying_block)};
+}
+
+}  // namespace wetfront::verification
