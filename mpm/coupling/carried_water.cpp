@@ -47,7 +47,8 @@ void CarriedWater<dim>::find_gradients() {
     for (std::size_t q = block.first; q < block.first + block.count; ++q)
       for (int a = 0; a < dim; ++a) {
         double slope = 0;
-        for (int i = 0; i < cell_nodes<dim>; ++i) slope += (*gradient_)[i * dim + a][q] * trial_[0][block.nodes[i]];
+        for (int i = 0; i < cell_nodes<dim>; ++i)
+          slope += (*gradient_)[i * dim + a][q] * (*c_.pressure)[0][block.nodes[i]];
         (*slope_)[a][q] = slope;
       }
 }
@@ -123,10 +124,9 @@ void CarriedWater<dim>::after_motion() {
         (*column)[0][i] = new_mapped_[i];
       continue;
     }
-    for (Column* column : {c_.pressure, c_.pressure_before, c_.pressure_earlier, &trial_}) {
-      double& p = (*column)[0][i];
-      p += new_mapped_[i] - mapped_[i] - lambda_[i] * (p - mapped_[i]);
-    }
+    // What the step under way adds to p^n is not the points' yet: it moves with the nodes until they take it.
+    const double change = new_mapped_[i] - mapped_[i] - lambda_[i] * ((*c_.pressure)[0][i] - mapped_[i]);
+    for (Column* column : {c_.pressure, c_.pressure_before, c_.pressure_earlier, &trial_}) (*column)[0][i] += change;
   }
 }
 

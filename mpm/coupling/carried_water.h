@@ -36,12 +36,8 @@ class CarriedWater {
   double pores(std::size_t point, const Soil& soil) const {
     return (*volume_)[0][point] - (*mass_)[0][point] / soil.grain_density;
   }
-  const Soil& soil_of(const Block& block) const {
-    return plan_.problem.soils[static_cast<std::size_t>(plan_.fields.grid.region(block.cell))];
-  }
-  const SoilContent& content_of(const Block& block) const {
-    return contents_[static_cast<std::size_t>(plan_.fields.grid.region(block.cell))];
-  }
+  const Soil& soil_of(const Block& block) const { return plan_.problem.soils[static_cast<std::size_t>(block.soil)]; }
+  const SoilContent& content_of(const Block& block) const { return contents_[static_cast<std::size_t>(block.soil)]; }
 
  private:
   void map(std::vector<double>& mapped, std::vector<double>& pores);

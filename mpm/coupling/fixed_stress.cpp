@@ -28,6 +28,12 @@ void FixedStress<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, const 
   const Column* earlier_water = plan.fields.points.columns.find("water");
   fresh_ = earlier_water == nullptr || !earlier_water->allocated();
   const std::string volume = dim == 2 ? "m2" : "m3";
+  plan.provide_on_points(shape_value_spec<dim>());
+  plan.provide_on_points(shape_gradient_spec<dim>());
+  const bool needs_suction = std::ranges::any_of(plan.problem.soils, [](const Soil& soil) {
+    return soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law);
+  });
+  if (needs_suction) suction_ = &plan.provide_on_points({"suction", "chi s", "Pa"});
   const int soils = static_cast<int>(plan.problem.soils.size());
   const auto in_step = [&](const char* name, const char* symbol, const std::string& unit, int components) {
     return &plan.provide_on_nodes({name, symbol, unit, components, Lifetime::step});
@@ -86,7 +92,7 @@ void FixedStress<dim>::measure_cells() {
     Cell cell;
     cell.cell = block.cell;
     cell.nodes = block.nodes;
-    cell.region = plan_->fields.grid.region(block.cell);
+    cell.region = block.soil;
     const Soil& soil = carried_->soil_of(block);
     cell.stiffness = LinearElastic(*soil.elastic).constrained_modulus();
     std::array<Vector<dim>, n> mean{};
@@ -144,6 +150,7 @@ void FixedStress<dim>::begin_stage() {
   if (!fresh_) return;
   carried_->begin();
   press_points();
+  plan_->clock.end = plan_->begin_time();
   relaxer_->begin_step();
   counts_.add(relaxer_->run());
   ready();
@@ -193,6 +200,7 @@ void FixedStress<dim>::press_points() {
       double g = 0;
       for (int i = 0; i < cell_nodes<dim>; ++i) g += value[i][q] * push[i];
       (*pore_stress_)[0][q] = g;
+      if (suction_ != nullptr) (*suction_)[0][q] = std::max(0.0, -g);
     }
   }
 }

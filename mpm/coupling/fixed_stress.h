@@ -60,7 +60,7 @@ class FixedStress {
   std::unique_ptr<CarriedWater<dim>> carried_;
   std::unique_ptr<Relaxer<dim>> relaxer_;
   Column *volume_before_, *pore_stress_, *pores_before_, *compliance_, *base_, *stabilisation_, *mixed_, *unsettled_,
-      *displacement_;
+      *displacement_, *suction_ = nullptr;  ///< suction: where a law asks for it
   std::vector<Cell> cells_;
   std::vector<std::size_t> occupied_;
   std::vector<double> displaced_, history_, off_, stabilised_, weight_;

@@ -47,6 +47,7 @@ Relaxer<dim>::Relaxer(StagePlan<dim>& plan, std::shared_ptr<SkeletonCycle<dim>> 
   acceleration_ = &plan.require_on_nodes("acceleration");
   displacement_ = &plan.require_on_nodes("displacement");
   velocity_ = &plan.require_on_points("velocity");
+  if (plan.problem.skeleton.transfer == Transfer::apic) affine_ = &plan.require_on_points("affine velocity");
   correction_ = &plan.provide_on_nodes({"elastic correction", "du", "m", dim, Lifetime::step});
   unbalanced_ = &plan.provide_on_nodes({"out of balance", "f", force, dim, Lifetime::step});
   cycle_->conditions.push_back(std::make_unique<Listener>(*force_, *unbalanced_));
@@ -74,6 +75,7 @@ Relaxer<dim>::Relaxer(StagePlan<dim>& plan, std::shared_ptr<SkeletonCycle<dim>> 
 template <int dim>
 void Relaxer<dim>::clear_velocities() {
   velocity_->fill(0);
+  if (affine_ != nullptr) affine_->fill(0);
 }
 
 /// Forces that conditions hold (a base on which the body rests) are not out of balance: what they leave of f is m a.

@@ -43,7 +43,7 @@ class Relaxer {
   StagePlan<dim>& plan_;
   std::shared_ptr<SkeletonCycle<dim>> cycle_;
   Column *force_, *node_mass_, *node_velocity_, *acceleration_, *displacement_, *correction_, *unbalanced_;
-  Column* velocity_;  ///< of points
+  Column *velocity_, *affine_ = nullptr;  ///< of points
   std::unique_ptr<ElasticSolve<dim>> elastic_;
   bool factorised_ = false, elastic_possible_ = true;
   double shortest_ = 0;  ///< altitude of a cell [m]

@@ -1,5 +1,6 @@
 #include "mpm/plan/derive_effects.h"
 
+#include "mpm/coupling/relaxation.h"
 #include "mpm/plan/check_numbers.h"
 #include "mpm/record/probes.h"
 #include "mpm/seepage/free_drainage.h"
@@ -35,8 +36,10 @@ template <int dim>
 void refuse_what_is_not_there_yet(const StagePlan<dim>& plan) {
   const Problem<dim>& problem = plan.problem;
   const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "' ";
-  if (plan.stage.motion == SkeletonMotion::quasi_static)
-    throw CannotPlan(where + "moves its skeleton quasi-statically (that is not there yet). Use dynamic motion");
+  if (problem.skeleton.update == StressUpdate::usf && plan.stage.motion == SkeletonMotion::quasi_static)
+    throw CannotPlan(where +
+                     "updates stress first, in a skeleton that goes from equilibrium to equilibrium (where what comes "
+                     "first in a cycle means nothing). Use musl or usl");
   if (!problem.skeleton_boundary.empty())
     throw CannotPlan(where + "has a load, contact or motion on a side of its skeleton (that is not there yet)");
   if (problem.initial_stress != InitialStress::none)
@@ -50,14 +53,17 @@ void refuse_what_is_not_there_yet(const StagePlan<dim>& plan) {
 }
 
 template <int dim>
-void join_skeleton(StagePlan<dim>& plan) {
+std::shared_ptr<SkeletonCycle<dim>> join_skeleton(StagePlan<dim>& plan) {
   const Problem<dim>& problem = plan.problem;
   if (!has_elastic_soil(problem)) {
     plan.join(std::make_unique<RigidSkeleton<dim>>(problem.soils.front().origin));
-    return;
+    return nullptr;
   }
   refuse_what_is_not_there_yet(plan);
-  plan.join(std::make_unique<DeformingSkeleton<dim>>(problem.soils.front().elastic->origin));
+  auto skeleton = std::make_unique<DeformingSkeleton<dim>>(problem.soils.front().elastic->origin);
+  const auto cycle = skeleton->cycle();
+  plan.join(std::move(skeleton));
+  return cycle;
 }
 
 /// The origin of the first water boundary of a kind; empty when the problem has none.
@@ -113,14 +119,20 @@ void join_water_boundaries(StagePlan<dim>& plan, const std::shared_ptr<NodalWate
 }
 
 template <int dim>
-void join_seepage(StagePlan<dim>& plan) {
-  const Problem<dim>& problem = plan.problem;
-  if (has_elastic_soil(problem))
-    throw CannotPlan(plan.stage.origin + ": stage '" + plan.stage.name +
-                     "' moves water by seepage through an elastic skeleton (the coupling of the two is not there yet; "
-                     "it comes with issue 4). Leave the elastic law out, or use the scheme implicit-drag");
+void join_seepage(StagePlan<dim>& plan, const std::shared_ptr<SkeletonCycle<dim>>& cycle) {
+  const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "' ";
+  if (cycle != nullptr && *plan.stage.liquid == LiquidScheme::semi_implicit)
+    throw CannotPlan(where +
+                     "uses the scheme semi-implicit in a deforming skeleton (that is not there yet). Use seepage with "
+                     "quasi-static motion, or implicit-drag with dynamic motion");
+  if (cycle != nullptr && plan.stage.motion == SkeletonMotion::dynamic)
+    throw CannotPlan(
+        where +
+        "moves water by seepage through a skeleton with inertia (seepage has none: its steps are far longer "
+        "than a wave). Use quasi-static motion, or the scheme implicit-drag");
   auto water = std::make_shared<NodalWater<dim>>();
-  plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, *plan.stage.liquid, water));
+  auto split = cycle != nullptr ? std::make_unique<FixedStress<dim>>(cycle) : nullptr;
+  plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, *plan.stage.liquid, water, std::move(split)));
   join_water_boundaries(plan, water);
 }
 
@@ -133,13 +145,21 @@ void join_two_velocities(StagePlan<dim>& plan) {
 }
 
 template <int dim>
-void join_liquid(StagePlan<dim>& plan) {
-  if (!plan.stage.liquid) return;
+void join_liquid(StagePlan<dim>& plan, const std::shared_ptr<SkeletonCycle<dim>>& cycle) {
+  if (!plan.stage.liquid) {
+    if (cycle != nullptr && plan.stage.motion == SkeletonMotion::quasi_static)
+      plan.join(std::make_unique<QuasiStaticMotion<dim>>(plan.stage.origin, cycle));
+    return;
+  }
   const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "'";
   if (!plan.problem.water)
     throw CannotPlan(where + " moves pore liquid, but the scene has no water. Add water or leave the stage dry");
   if (*plan.stage.liquid == LiquidScheme::seepage || *plan.stage.liquid == LiquidScheme::semi_implicit)
-    return join_seepage(plan);
+    return join_seepage(plan, cycle);
+  if (cycle != nullptr && plan.stage.motion == SkeletonMotion::quasi_static)
+    throw CannotPlan(where +
+                     " moves its skeleton from equilibrium to equilibrium and its liquid in true time (the two have no "
+                     "common step). Use dynamic motion, or the scheme seepage");
   join_two_velocities(plan);
 }
 
@@ -187,8 +207,8 @@ std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size
   auto plan = std::make_unique<StagePlan<dim>>(problem, stage, fields);
   if (std::any_of(problem.gravity.begin(), problem.gravity.end(), [](double g) { return g != 0; }))
     plan->join(std::make_unique<Gravity<dim>>(problem.gravity_origin));
-  join_skeleton(*plan);
-  join_liquid(*plan);
+  const auto cycle = join_skeleton(*plan);
+  join_liquid(*plan, cycle);
   if (!problem.probes.empty()) plan->join(std::make_unique<Probes<dim>>(problem.probes.front().origin));
   plan->check();
   return plan;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace wetfront::mpm {
 
@@ -21,6 +22,8 @@ constexpr double most_growth = 2.0, most_shrinkage = 0.2, safety = 0.9;
 // First step after a break: no node's saturation may change by more than this in an explicit step.
 constexpr double first_saturation_change = 1e-4;
 constexpr double smallest_step = 1e-9;  // s
+// Steps known behind a break in a deforming skeleton: -3 before the load is answered, -2 after.
+constexpr double step_after_jump = -2;
 // One jump is over in a step or two; more than this one behind the other are a tolerance that cannot be met.
 constexpr int most_shortest_in_a_row = 20;
 // Where flow stops at once its momentum presses the harder the shorter the step that holds it: rho g L (w/K_s) tau/dt,
@@ -152,10 +155,16 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
 template <int dim>
 bool SeepageStep<dim>::couple(const Bdf2Weights& weights, double dt) {
   if (!water_.settle) return true;
+  // Loads on the skeleton are those of the end of the step that is being tried.
+  Clock& clock = plan_.clock;
+  const double end = std::exchange(clock.end, dt < clock.dt ? clock.time + dt : clock.end);
   for (int pass = 0; water_.settle(pass); ++pass) {
     for (const auto& held : water_.held) (*water_.trial)[0][held.node] = held.pressure;
     water_.ties.copy_pressure((*water_.trial)[0]);
-    if (!newton(weights, dt)) return false;
+    if (!newton(weights, dt)) {
+      clock.end = end;
+      return false;
+    }
   }
   return true;
 }
@@ -228,6 +237,14 @@ void SeepageStep<dim>::run() {
     // nor the one behind it is measured against an extrapolation.
     (*c_.steps)[step_history][0] = -1;
     for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + smallest_step);
+    // A load that jumps is answered at once, by the undrained skeleton; only then does water begin to flow.
+    if (water_.settle) {
+      (*c_.steps)[step_history][0] = step_after_jump - 1;
+      dt = std::min(dt, smallest_step);
+    } else {
+      dt = std::min(dt, first_step());
+    }
+  } else if ((*c_.steps)[step_history][0] == step_after_jump) {
     dt = std::min(dt, first_step());
   }
   const double tolerance = plan_.stage.time_tolerance;
@@ -257,7 +274,8 @@ void SeepageStep<dim>::run() {
           ++jumps_taken;
           factor = 1;
         }
-        (*c_.steps)[step_proposal][0] = dt * factor;
+        const bool answered = (*c_.steps)[step_history][0] == step_after_jump;
+        (*c_.steps)[step_proposal][0] = answered ? plan_.stage.end_time - plan_.begin_time() : dt * factor;
         return;
       }
       if (good) factor = 0.5;

@@ -172,7 +172,7 @@ TEST(Plan, RefusesRainWithNoSoilBehind) {
 TEST(Plan, RefusesWhatDoesNotGoTogether) {
   Problem<2> problem = test::seed_column(10, 0.087, 3e-5, 1.0);
   problem.soils[0].elastic = Elastic{10e6, 0.3, "o"};
-  EXPECT_THAT(refusal(problem), HasSubstr("issue 4"));
+  EXPECT_THAT(refusal(problem), HasSubstr("seepage has none"));
   problem = test::seed_column(10, 0.087, 3e-5, 1.0);
   problem.water.reset();
   EXPECT_THAT(refusal(problem), HasSubstr("no water"));
