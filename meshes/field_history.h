@@ -56,6 +56,22 @@ struct SideLedger {
   std::vector<double> demanded;    ///< demand
 };
 
+/// Momentum and energy of a deforming skeleton, in a dynamic stage [per metre of thickness in two dimensions]. Works
+/// and impulses are sums since the stage began.
+struct MotionRow {
+  double time = 0;         ///< s
+  double kinetic = 0;      ///< J, of the points
+  double potential = 0;    ///< J, in the field of gravity
+  double stress_work = 0;  ///< J, done on the material: stored elastically and dissipated
+  double load_work = 0;    ///< J, of tractions and water on the skeleton
+  double resistance = 0;   ///< J, of sides, contact and damping (negative: taken from the skeleton)
+  double drift = 0;        ///< J, what the balance of the above and the beginning lacks
+  Point momentum{};        ///< N s, of the points
+  Point impulse{};         ///< N s, of weight, tractions and water
+  Point reaction{};        ///< N s, of sides, contact and damping
+  Point momentum_drift{};  ///< N s, what their balance lacks: round-off
+};
+
 struct Gauge {
   std::string name;
   Point position{};
@@ -88,6 +104,7 @@ struct FieldHistory {
   /// rows at events and at even intervals between them.
   std::vector<LedgerRow> ledger;
   std::vector<SideLedger> sides;  ///< one per condition of the scene that passes water; empty where a solver has none
+  std::vector<MotionRow> motion;  ///< empty where no skeleton deforms dynamically
   std::vector<Gauge> gauges;
   std::vector<NodeRain> rain_by_node;
   std::vector<KernelCost> cost;

@@ -1,7 +1,9 @@
 #include "mpm/plan/derive_effects.h"
 
+#include "mpm/boundary/skeleton_boundaries.h"
 #include "mpm/coupling/relaxation.h"
 #include "mpm/plan/check_numbers.h"
+#include "mpm/record/motion_ledger.h"
 #include "mpm/record/probes.h"
 #include "mpm/seepage/free_drainage.h"
 #include "mpm/seepage/held_pressure.h"
@@ -10,6 +12,7 @@
 #include "mpm/seepage/surface_exchange.h"
 #include "mpm/skeleton/deforming_skeleton.h"
 #include "mpm/skeleton/gravity.h"
+#include "mpm/skeleton/initial_stress.h"
 #include "mpm/skeleton/rigid_skeleton.h"
 #include "mpm/two_velocity/rain.h"
 #include "mpm/two_velocity/two_velocity.h"
@@ -40,10 +43,6 @@ void refuse_what_is_not_there_yet(const StagePlan<dim>& plan) {
     throw CannotPlan(where +
                      "updates stress first, in a skeleton that goes from equilibrium to equilibrium (where what comes "
                      "first in a cycle means nothing). Use musl or usl");
-  if (!problem.skeleton_boundary.empty())
-    throw CannotPlan(where + "has a load, contact or motion on a side of its skeleton (that is not there yet)");
-  if (problem.initial_stress != InitialStress::none)
-    throw CannotPlan(where + "begins with an initial stress (that is not there yet)");
   if (problem.skeleton.shape != ShapeFunctions::linear)
     throw CannotPlan(where + "moves its skeleton by splines (they are not there yet). Use linear shape functions");
   if (problem.skeleton.update == StressUpdate::usf && plan.stage.liquid)
@@ -60,9 +59,12 @@ std::shared_ptr<SkeletonCycle<dim>> join_skeleton(StagePlan<dim>& plan) {
     return nullptr;
   }
   refuse_what_is_not_there_yet(plan);
-  auto skeleton = std::make_unique<DeformingSkeleton<dim>>(problem.soils.front().elastic->origin);
+  const Origin& origin = problem.soils.front().elastic->origin;
+  auto skeleton = std::make_unique<DeformingSkeleton<dim>>(origin);
   const auto cycle = skeleton->cycle();
   plan.join(std::move(skeleton));
+  if (problem.initial_stress == InitialStress::k0) plan.join(std::make_unique<InitialStressEffect<dim>>(origin));
+  if (!problem.skeleton_boundary.empty()) plan.join(std::make_unique<SkeletonBoundaries<dim>>(problem, cycle));
   return cycle;
 }
 
@@ -209,6 +211,8 @@ std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size
     plan->join(std::make_unique<Gravity<dim>>(problem.gravity_origin));
   const auto cycle = join_skeleton(*plan);
   join_liquid(*plan, cycle);
+  if (cycle != nullptr && plan->stage.motion == SkeletonMotion::dynamic)
+    plan->join(std::make_unique<MotionLedger<dim>>(problem.soils.front().elastic->origin, cycle));
   if (!problem.probes.empty()) plan->join(std::make_unique<Probes<dim>>(problem.probes.front().origin));
   plan->check();
   return plan;

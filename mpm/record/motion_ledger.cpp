@@ -1,0 +1,158 @@
+#include "mpm/record/motion_ledger.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace wetfront::mpm {
+
+/// Sees the forces of stress (and weight) before the others add theirs.
+template <int dim>
+class MotionLedger<dim>::First : public NodalCondition<dim> {
+ public:
+  explicit First(MotionLedger& ledger) : ledger_(ledger) {}
+  void add_force() override { ledger_.see_inner_force(); }
+
+ private:
+  MotionLedger& ledger_;
+};
+
+template <int dim>
+class MotionLedger<dim>::Last : public NodalCondition<dim> {
+ public:
+  explicit Last(MotionLedger& ledger) : ledger_(ledger) {}
+  void see_force() override {
+    std::ranges::copy(std::as_const(*ledger_.force_).values(), ledger_.loaded_->values().begin());
+  }
+  void limit_acceleration() override { ledger_.add_step(); }
+
+ private:
+  MotionLedger& ledger_;
+};
+
+template <int dim>
+void MotionLedger<dim>::join(StagePlan<dim>& plan) {
+  plan_ = &plan;
+  mass_ = &plan.require_on_points("mass");
+  position_ = &plan.require_on_points("position");
+  velocity_ = &plan.require_on_points("velocity");
+  node_mass_ = &plan.require_on_nodes("mass");
+  force_ = &plan.require_on_nodes("force");
+  node_velocity_ = &plan.require_on_nodes("velocity");
+  acceleration_ = &plan.require_on_nodes("acceleration");
+  const std::string force = dim == 2 ? "N/m" : "N";
+  inner_ = &plan.provide_on_nodes({"force of stress", "f_int", force, dim, Lifetime::step});
+  loaded_ = &plan.provide_on_nodes({"force with loads", "f", force, dim, Lifetime::step});
+  sums_ = &plan.provide_on_run({"motion ledger", "W, I", "J, N s", count});
+  cycle_->conditions.insert(cycle_->conditions.begin(), std::make_unique<First>(*this));
+  cycle_->conditions.push_back(std::make_unique<Last>(*this));
+  // Each dynamic stage has a ledger of its own: a relaxation before it has no time and no momentum.
+  plan.at_begin([this] {
+    sums_->fill(0);
+    const Vector<dim> start = momentum();
+    for (int a = 0; a < dim; ++a) (*sums_)[first + a][0] = start[a];
+    (*sums_)[first_energy][0] = kinetic_energy() + potential_energy();
+  });
+  plan.at_record([this](double time, meshes::FieldHistory& history) { record(time, history); });
+}
+
+template <int dim>
+void MotionLedger<dim>::see_inner_force() {
+  const Vector<dim>& g = plan_->problem.gravity;
+  for (int a = 0; a < dim; ++a) {
+    const double *force = (*force_)[a], *mass = (*node_mass_)[0];
+    double* inner = (*inner_)[a];
+    for (std::size_t i = 0; i < node_mass_->size(); ++i) inner[i] = force[i] - mass[i] * g[static_cast<std::size_t>(a)];
+  }
+}
+
+template <int dim>
+void MotionLedger<dim>::add_step() {
+  const double dt = cycle_->dt;
+  const double* mass = (*node_mass_)[0];
+  const SkeletonScheme& scheme = plan_->problem.skeleton;
+  const double mixed = scheme.transfer == Transfer::apic ? 1 : scheme.pic;
+  const Vector<dim> carried = mixed > 0 ? momentum() : Vector<dim>{};
+  for (int a = 0; a < dim; ++a) {
+    const double *inner = (*inner_)[a], *loaded = (*loaded_)[a], *v = (*node_velocity_)[a], *at = (*acceleration_)[a];
+    double stress = 0, load = 0, held = 0, pushed = 0, reacted = 0, seen = 0;
+    for (std::size_t i = 0; i < node_mass_->size(); ++i) {
+      if (!(mass[i] > 0)) continue;
+      const double middle = v[i] + 0.5 * dt * at[i],
+                   weight = mass[i] * plan_->problem.gravity[static_cast<std::size_t>(a)];
+      const double outer = loaded[i] - inner[i], resisting = mass[i] * at[i] - loaded[i];
+      stress -= inner[i] * middle;
+      load += (outer - weight) * middle;  // gravity's work is in its potential
+      held += resisting * middle;
+      pushed += outer;
+      reacted += resisting;
+      seen += mass[i] * v[i];
+    }
+    (*sums_)[stress_work][0] += dt * stress;
+    (*sums_)[load_work][0] += dt * load;
+    (*sums_)[resistance][0] += dt * held;
+    (*sums_)[impulse + a][0] += dt * pushed;
+    (*sums_)[reaction + a][0] += dt * reacted;
+    // Points that take the nodes' velocities themselves lose what held nodes have lost of theirs.
+    if (mixed > 0) (*sums_)[reaction + a][0] += mixed * (seen - carried[a]);
+  }
+}
+
+template <int dim>
+Vector<dim> MotionLedger<dim>::momentum() const {
+  Vector<dim> sum{};
+  for (const Block& block : plan_->fields.points.blocks())
+    for (int a = 0; a < dim; ++a) {
+      double part = 0;
+      for (std::size_t p = block.first; p < block.first + block.count; ++p) part += (*mass_)[0][p] * (*velocity_)[a][p];
+      sum[a] += part;
+    }
+  return sum;
+}
+
+template <int dim>
+double MotionLedger<dim>::kinetic_energy() const {
+  double sum = 0;
+  for (const Block& block : plan_->fields.points.blocks())
+    for (std::size_t p = block.first; p < block.first + block.count; ++p)
+      for (int a = 0; a < dim; ++a) sum += 0.5 * (*mass_)[0][p] * (*velocity_)[a][p] * (*velocity_)[a][p];
+  return sum;
+}
+
+template <int dim>
+double MotionLedger<dim>::potential_energy() const {
+  double sum = 0;
+  for (const Block& block : plan_->fields.points.blocks())
+    for (std::size_t p = block.first; p < block.first + block.count; ++p)
+      for (int a = 0; a < dim; ++a)
+        sum -= (*mass_)[0][p] * plan_->problem.gravity[static_cast<std::size_t>(a)] * (*position_)[a][p];
+  return sum;
+}
+
+template <int dim>
+void MotionLedger<dim>::record(double time, meshes::FieldHistory& history) const {
+  const Column& sums = *sums_;
+  meshes::MotionRow row;
+  row.time = time;
+  row.kinetic = kinetic_energy();
+  row.stress_work = sums[stress_work][0];
+  row.load_work = sums[load_work][0];
+  row.resistance = sums[resistance][0];
+  const double potential = potential_energy();
+  row.drift = row.kinetic + potential + row.stress_work - row.load_work - row.resistance - sums[first_energy][0];
+  row.potential = potential;
+  const Vector<dim> now = momentum();
+  for (int a = 0; a < dim; ++a) {
+    const auto k = static_cast<std::size_t>(a);
+    row.momentum[k] = now[a];
+    row.impulse[k] = sums[impulse + a][0];
+    row.reaction[k] = sums[reaction + a][0];
+    row.momentum_drift[k] = now[a] - sums[first + a][0] - row.impulse[k] - row.reaction[k];
+  }
+  history.motion.push_back(row);
+}
+
+template class MotionLedger<2>;
+template class MotionLedger<3>;
+
+}  // namespace wetfront::mpm

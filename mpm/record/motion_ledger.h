@@ -1,0 +1,53 @@
+#pragma once
+
+#include "mpm/skeleton/skeleton_cycle.h"
+
+namespace wetfront::mpm {
+
+/// Momentum and energy of a skeleton in a dynamic stage (meshes::MotionRow). Every step, at the nodes:
+///
+///     impulse   += dt sum (f_i - f_int,i)                  weight, loads, water
+///     reaction  += dt sum (m_i a_i - f_i)                  sides, contact, damping (and drag, where the liquid moves
+///     too) works     += dt sum of the same with (v_i + dt a_i/2), so that nodal kinetic energy follows to round-off
+///
+/// sum f_int is zero, so momentum of the points = first + impulse + reaction to round-off. The energy does not close
+/// so: points keep motion that nodes do not see, and mapping back loses some; the row's `drift` is that. Has to join
+/// after all that acts on the nodes.
+template <int dim>
+class MotionLedger : public Effect<dim> {
+ public:
+  explicit MotionLedger(Origin origin, std::shared_ptr<SkeletonCycle<dim>> cycle)
+      : Effect<dim>("motion ledger", std::move(origin), "sum m v, sum m v^2/2, works (mpm/record/motion_ledger.h)"),
+        cycle_(std::move(cycle)) {}
+  void join(StagePlan<dim>& plan) override;
+
+ private:
+  class First;
+  class Last;
+  /// Components of the run column.
+  enum Entry {
+    stress_work,
+    load_work,
+    resistance,
+    first_energy,
+    impulse,
+    reaction = impulse + dim,
+    first = reaction + dim,
+    count = first + dim
+  };
+
+  void see_inner_force();
+  void add_step();
+  void record(double time, meshes::FieldHistory& history) const;
+  Vector<dim> momentum() const;
+  double kinetic_energy() const;
+  double potential_energy() const;
+
+  StagePlan<dim>* plan_ = nullptr;
+  std::shared_ptr<SkeletonCycle<dim>> cycle_;
+  const Column *mass_ = nullptr, *position_ = nullptr, *velocity_ = nullptr;  // points
+  const Column *node_mass_ = nullptr, *force_ = nullptr, *node_velocity_ = nullptr, *acceleration_ = nullptr;
+  Column *inner_ = nullptr, *loaded_ = nullptr, *sums_ = nullptr;
+};
+
+}  // namespace wetfront::mpm
