@@ -19,4 +19,6 @@ std::vector<Case> collapse_cases();             ///< dry columns fall
 
 std::vector<Case> wet_column_cases();  ///< Terzaghi, de Boer, undrained loads, a flying block
 
+std::vector<Case> wet_collapse_cases();  ///< a saturated column falls
+
 }  // namespace wetfront::verification

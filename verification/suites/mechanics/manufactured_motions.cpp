@@ -16,9 +16,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double young = 1e4, density = 1000, amplitude = 0.05;
+constexpr double young = 1e4, density = 1000;
 
-exact::AxisAlignedSolution axis_aligned(int dim, double poisson) {
+exact::AxisAlignedSolution axis_aligned(int dim, double poisson, double amplitude) {
   const double lame = young * poisson / ((1 + poisson) * (1 - 2 * poisson)), shear = young / (2 * (1 + poisson));
   return exact::AxisAlignedSolution({dim, lame, shear, density, amplitude, std::sqrt(young / density), {0, pi, 0}});
 }
@@ -43,8 +43,8 @@ double worst_error(const Motion<2>& motion, double scale, const Position& positi
 
 }  // namespace
 
-ManufacturedMotion axis_aligned_motion() {
-  const auto exact = std::make_shared<exact::AxisAlignedSolution>(axis_aligned(2, 0.3));
+ManufacturedMotion axis_aligned_motion(double amplitude) {
+  const auto exact = std::make_shared<exact::AxisAlignedSolution>(axis_aligned(2, 0.3, amplitude));
   ManufacturedMotion out;
   out.problem = [exact](int cells, const mpm::SkeletonScheme& scheme) {
     auto problem =
@@ -62,7 +62,7 @@ ManufacturedMotion axis_aligned_motion() {
     };
     return problem;
   };
-  out.error = [exact](const Motion<2>& motion) {
+  out.error = [exact, amplitude](const Motion<2>& motion) {
     return worst_error(motion, amplitude, [&](const std::array<double, 2>& x, double t) {
       const auto u = exact->displacement({x[0], x[1], 0}, t);
       return std::array{x[0] + u[0], x[1] + u[1]};
