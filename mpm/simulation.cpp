@@ -55,6 +55,14 @@ struct Simulation<dim>::Implementation {
           "another problem). Start the run anew");
     std::vector<std::size_t> counts(stored->second.begin(), stored->second.end());
     fields.points.set_counts(fields.grid, counts);
+    // Conditions look for the surface of the body when the plan is made: where it is, not where it began.
+    for (const char* name : {"position", "volume"}) {
+      Column& column = fields.points.columns.at(name);
+      const auto kept = state.fields.find(std::string("point.") + name);
+      if (kept != state.fields.end() &&
+          kept->second.size() == fields.points.size() * static_cast<std::size_t>(column.spec().components))
+        fields.points.put_in_order(kept->second, column);
+    }
   }
 
   bool finished() const { return stage + 1 == problem.stages.size() && time >= problem.stages[stage].end_time; }

@@ -148,13 +148,16 @@ void FixedStress<dim>::ready() {
 template <int dim>
 void FixedStress<dim>::begin_stage() {
   if (!fresh_) return;
-  carried_->begin();
-  press_points();
   plan_->clock.end = plan_->begin_time();
-  relaxer_->begin_step();
-  counts_.add(relaxer_->run());
-  ready();
   carried_->begin();
+  // Twice: pores that have given way hold less water, which weighs less.
+  for (int pass = 0; pass < 2; ++pass) {
+    press_points();
+    relaxer_->begin_step();
+    counts_.add(relaxer_->run());
+    ready();
+    carried_->begin();
+  }
 }
 
 /// g of the pressures met so far, and the water of p^n in the pores of the beginning of the step, at present places.

@@ -295,8 +295,18 @@ void SurfaceExchange<dim>::join(StagePlan<dim>& plan) {
   plan.require_on_nodes("pressure");
   collect(plan);
   add_passings(plan);
-  const auto find_sites = [this, &plan] {
-    if (water_->surface(plan).update()) collect(plan);
+  const bool follows = std::ranges::any_of(plan.problem.water_boundary, [](const auto& boundary) {
+    return std::visit([](const auto& b) { return b.side == free_surface; }, boundary);
+  });
+  const bool rigid =
+      std::ranges::none_of(plan.problem.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
+  const auto find_sites = [this, &plan, follows, rigid] {
+    // A side of the mesh stays the surface of a body that settles, so long as there is soil behind it.
+    if ((follows || rigid) && water_->surface(plan).update()) collect(plan);
+    for (const Site& site : sites_)
+      if (!plan.fields.points.occupied(site.outlet.cell))
+        throw StepFailed("the soil has left the side on which " + this->name() +
+                         " acts. Let it act on the free surface, which moves with the soil");
     for (Site& site : sites_)
       for (int i = 0; i < site.outlet.count; ++i)
         for (int j = 0; j < site.outlet.count; ++j)
@@ -304,7 +314,13 @@ void SurfaceExchange<dim>::join(StagePlan<dim>& plan) {
               site.outlet.node[static_cast<std::size_t>(i)], site.outlet.node[static_cast<std::size_t>(j)]);
   };
   plan.at_ready(find_sites);
-  water_->moved.push_back(find_sites);
+  water_->moved.push_back([find_sites] {
+    try {
+      find_sites();
+    } catch (const CannotPlan& refused) {
+      throw StepFailed(refused.what());
+    }
+  });
   water_->before_solve.push_back([this, &plan](double begin, double end) { set_time(plan, begin, end); });
   water_->limits.push_back([this](const auto& start, double* trial) { stop_at_kinks(start, trial); });
   water_->terms.push_back(&plan.add_iterated(Phase::pressure, this->name(), [this] { add_flows(); }));
