@@ -119,6 +119,11 @@ ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>
     const Column* column = plan.fields.points.columns.find(name);
     return column != nullptr && !column->provided_by().empty() ? column : nullptr;
   };
+  // Where the liquid has a momentum balance of its own, it has made the accelerations by then.
+  const bool two_velocities =
+      plan.stage.liquid == LiquidScheme::implicit_drag || plan.stage.liquid == LiquidScheme::explicit_drag;
+  const bool damping = plan.stage.motion == SkeletonMotion::quasi_static || plan.stage.local_damping > 0;
+  damped_ = damping && !two_velocities;
   if (!plan.stage.liquid) return;
   volume_ = &plan.require_on_points("volume");
   wall_pressure_.assign(plan.fields.grid.node_count(), 0.0);
@@ -179,16 +184,38 @@ bool ContactCondition<dim>::stop_at_planes(Node& node, Vector<dim>& v, double ma
 }
 
 template <int dim>
+void ContactCondition<dim>::see_force() {
+  if (!damped_) return;
+  for (Node& node : base_)
+    for (int a = 0; a < dim; ++a) node.force[a] = nodes_.force[a][node.index];
+}
+
+/// Local damping of what is left of the force: v' = v + dt (a - d |a| sign v), kept out of the base.
+template <int dim>
+void ContactCondition<dim>::damp(const Node& node, Vector<dim>& v) {
+  for (int a = 0; a < dim; ++a) {
+    const double before = nodes_.velocity[a][node.index];
+    if (!node.held[a] && before != 0) v[a] -= cycle_.damping * std::copysign(std::abs(v[a] - before), before);
+  }
+  v = without_penetration<dim>(v, {normal_.data() + node.first, node.count},
+                               {impulse_.data() + node.first, node.count});
+}
+
+template <int dim>
 void ContactCondition<dim>::limit_acceleration() {
   if (!wall_pressure_.empty()) find_wall_pressure();
   const double dt = cycle_.dt;
   for (Node& node : base_) {
     node.sticks = false;
     if (nodes_.empty(node.index)) continue;
+    const double mass = nodes_.mass[0][node.index];
     Vector<dim> v{};
     for (int a = 0; a < dim; ++a)
-      if (!node.held[a]) v[a] = nodes_.velocity[a][node.index] + dt * nodes_.acceleration[a][node.index];
-    node.sticks = stop_at_planes(node, v, nodes_.mass[0][node.index], dt);
+      if (!node.held[a])
+        v[a] =
+            nodes_.velocity[a][node.index] + dt * (damped_ ? node.force[a] / mass : nodes_.acceleration[a][node.index]);
+    node.sticks = stop_at_planes(node, v, mass, dt);
+    if (damped_ && !node.sticks) damp(node, v);
     for (int a = 0; a < dim; ++a)
       if (!node.held[a]) nodes_.acceleration[a][node.index] = (v[a] - nodes_.velocity[a][node.index]) / dt;
   }

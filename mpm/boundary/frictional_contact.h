@@ -25,6 +25,7 @@ template <int dim>
 class ContactCondition : public NodalCondition<dim> {
  public:
   ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>& cycle, const std::vector<FrictionalContact>& sides);
+  void see_force() override;
   void limit_acceleration() override;
   void limit_velocity() override;
 
@@ -34,14 +35,17 @@ class ContactCondition : public NodalCondition<dim> {
     std::size_t first = 0, count = 0;  ///< of its planes
     std::array<bool, dim> held{};
     bool sticks = false;
+    Vector<dim> force{};  ///< before damping
   };
   void find_wall_pressure();
   double part_of_water(const Block& block, std::size_t point) const;
+  void damp(const Node& node, Vector<dim>& v);
   bool stop_at_planes(Node& node, Vector<dim>& v, double mass, double dt);
 
   StagePlan<dim>& plan_;
   SkeletonCycle<dim>& cycle_;
   SkeletonNodes<dim> nodes_;
+  bool damped_ = false;  ///< reactions are found from forces before damping
   std::vector<Node> base_;
   std::vector<Vector<dim>> normal_;  ///< of each node's planes, in the axes that are not held; length 1
   std::vector<double> friction_, area_, impulse_;
