@@ -45,6 +45,21 @@ double MovingCondition<dim>::velocity_now(int axis, std::size_t node) const {
 }
 
 template <int dim>
+bool MovingCondition<dim>::settled() const {
+  if (plan_.stage.motion == SkeletonMotion::dynamic) return true;
+  for (int a = 0; a < dim; ++a) {
+    if (!spec_.velocity[static_cast<std::size_t>(a)]) continue;
+    const double given = *spec_.velocity[static_cast<std::size_t>(a)], there = given * way(plan_.clock.end);
+    const double step = std::abs(given) * std::abs(way(plan_.clock.end) - way(plan_.clock.time));
+    for (int i : index_)
+      if (const auto node = static_cast<std::size_t>(i);
+          !nodes_.empty(node) && std::abs(there - displacement_[a][node]) > 1e-9 * step)
+        return false;
+  }
+  return true;
+}
+
+template <int dim>
 void MovingCondition<dim>::limit_acceleration() {
   for (int a = 0; a < dim; ++a) {
     if (!spec_.velocity[static_cast<std::size_t>(a)]) continue;

@@ -12,6 +12,7 @@ class MovingCondition : public NodalCondition<dim> {
   MovingCondition(StagePlan<dim>& plan, SkeletonCycle<dim>& cycle, const MovingSide& spec);
   void limit_acceleration() override;
   void limit_velocity() override;
+  bool settled() const override;
 
  private:
   double velocity_now(int axis, std::size_t node) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace wetfront::mpm {
 
@@ -22,7 +21,9 @@ class MotionLedger<dim>::Last : public NodalCondition<dim> {
  public:
   explicit Last(MotionLedger& ledger) : ledger_(ledger) {}
   void see_force() override {
-    std::ranges::copy(std::as_const(*ledger_.force_).values(), ledger_.loaded_->values().begin());
+    for (int a = 0; a < dim; ++a)
+      for (const NodeRun& run : ledger_.cycle_->active->runs())
+        std::copy((*ledger_.force_)[a] + run.first, (*ledger_.force_)[a] + run.last, (*ledger_.loaded_)[a] + run.first);
   }
   void limit_acceleration() override { ledger_.add_step(); }
 
@@ -62,7 +63,8 @@ void MotionLedger<dim>::see_inner_force() {
   for (int a = 0; a < dim; ++a) {
     const double *force = (*force_)[a], *mass = (*node_mass_)[0];
     double* inner = (*inner_)[a];
-    for (std::size_t i = 0; i < node_mass_->size(); ++i) inner[i] = force[i] - mass[i] * g[static_cast<std::size_t>(a)];
+    for (const NodeRun& run : cycle_->active->runs())
+      for (std::size_t i = run.first; i < run.last; ++i) inner[i] = force[i] - mass[i] * g[static_cast<std::size_t>(a)];
   }
 }
 
@@ -76,18 +78,18 @@ void MotionLedger<dim>::add_step() {
   for (int a = 0; a < dim; ++a) {
     const double *inner = (*inner_)[a], *loaded = (*loaded_)[a], *v = (*node_velocity_)[a], *at = (*acceleration_)[a];
     double stress = 0, load = 0, held = 0, pushed = 0, reacted = 0, seen = 0;
-    for (std::size_t i = 0; i < node_mass_->size(); ++i) {
-      if (!(mass[i] > 0)) continue;
-      const double middle = v[i] + 0.5 * dt * at[i],
-                   weight = mass[i] * plan_->problem.gravity[static_cast<std::size_t>(a)];
-      const double outer = loaded[i] - inner[i], resisting = mass[i] * at[i] - loaded[i];
-      stress -= inner[i] * middle;
-      load += (outer - weight) * middle;  // gravity's work is in its potential
-      held += resisting * middle;
-      pushed += outer;
-      reacted += resisting;
-      seen += mass[i] * v[i];
-    }
+    for (const NodeRun& run : cycle_->active->runs())
+      for (std::size_t i = run.first; i < run.last; ++i) {
+        const double middle = v[i] + 0.5 * dt * at[i],
+                     weight = mass[i] * plan_->problem.gravity[static_cast<std::size_t>(a)];
+        const double outer = loaded[i] - inner[i], resisting = mass[i] * at[i] - loaded[i];
+        stress -= inner[i] * middle;
+        load += (outer - weight) * middle;  // gravity's work is in its potential
+        held += resisting * middle;
+        pushed += outer;
+        reacted += resisting;
+        seen += mass[i] * v[i];
+      }
     (*sums_)[stress_work][0] += dt * stress;
     (*sums_)[load_work][0] += dt * load;
     (*sums_)[resistance][0] += dt * held;

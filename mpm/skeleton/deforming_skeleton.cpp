@@ -194,6 +194,7 @@ void DeformingSkeleton<dim>::join(StagePlan<dim>& plan) {
     return std::vector<int>(grid.cell_nodes_of(cell), grid.cell_nodes_of(cell) + cell_nodes<dim>);
   });
   active_ = std::make_unique<ActiveNodes>(grid.columns.size());
+  cycle_->active = active_.get();
   migration_->prepare(chunks_->size());
   found_.resize(chunks_->size() * soils_.size());
   if (two_velocities(plan.stage)) add_stencils(plan);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/grid/active_nodes.h"
 #include "mpm/plan/stage_plan.h"
 
 #include <array>
@@ -24,6 +25,8 @@ class NodalCondition {
   /// Changes "velocity", the one that strains the points and moves them: v_i + dt a_i, or in MUSL the one mapped back
   /// from the points. The skeleton's displacement of nodes is summed after that.
   virtual void limit_velocity() {}
+  /// A relaxation does not end while this is false: something is still on its way.
+  virtual bool settled() const { return true; }
 };
 
 /// One cycle of the skeleton, as kernels to be run in this order:
@@ -47,6 +50,7 @@ struct SkeletonCycle {
   double dt = 0;       ///< of the cycle [s]; the clock's in a dynamic stage, relaxation's own in a quasi-static one
   double damping = 0;  ///< local (Cundall), f -= damping |f| sign(v) [-]
   std::vector<std::unique_ptr<NodalCondition<dim>>> conditions;
+  const ActiveNodes* active = nullptr;  ///< nodes around points; the columns hold nothing of value at the others
 
   Kernel *gather = nullptr, *accelerate = nullptr, *points = nullptr, *velocity = nullptr, *move = nullptr,
          *migrate = nullptr;

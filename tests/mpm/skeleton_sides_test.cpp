@@ -110,6 +110,19 @@ TEST(MovingSides, AGivenMotionStrainsTheBar) {
   EXPECT_NEAR(mean(state.fields.at("point.stress"), 1, 4) / (modulus * -1e-3), 1, 2e-3);
 }
 
+TEST(MovingSides, AQuasiStaticStepEndsWhereTheSideShouldBe) {
+  Problem<2> problem = bar(10, 1);
+  problem.stages[0].motion = SkeletonMotion::quasi_static;
+  problem.stages[0].largest_step = 0.25;
+  MovingSide press{"top", {}, {}, "test:side"};
+  press.velocity[1] = -0.001;
+  problem.skeleton_boundary = {press};
+  const State state = run_to_end(problem);
+  EXPECT_NEAR(state.history.snapshots.at(0).node_displacement[20][1], -1e-3, 1e-11);
+  // Every step ends within 2e-4 of equilibrium.
+  EXPECT_NEAR(mean(state.fields.at("point.stress"), 1, 4) / (modulus * -1e-3), 1, 2e-3);
+}
+
 /// A pulse in the middle of a long bar: half of it leaves through the absorbing base, the other half is thrown back by
 /// the free top and leaves too. What is left of the energy.
 double energy_left(bool shear) {
