@@ -265,7 +265,8 @@ bool FixedStress<dim>::settle(int pass) {
   press_points();
   carried_->before_motion();
   displaced_.assign(displacement_->values().begin(), displacement_->values().end());
-  counts_.add(relaxer_->run());
+  const auto rest = relaxer_->run();
+  counts_.add(rest);
   ++passes_;
   find_foreseen();
   // As pressures: what is off divided by what a node takes up per pascal.
@@ -285,16 +286,19 @@ bool FixedStress<dim>::settle(int pass) {
   refresh_geometry();
   carried_->after_motion();
   const double change = std::sqrt(error / whole), scale = std::sqrt(size / whole) + pressure_scale();
-  if (change <= plan_->stage.relaxation.coupling_tolerance * scale) {
+  // Damped motion ends somewhere within its ratio: finer than that the two cannot agree.
+  if (change <= std::max(plan_->stage.relaxation.coupling_tolerance, rest.ratio) * scale) {
     // What the step gained is told in the pores of its last solve: they stay as they were there.
     std::ranges::copy(off_, unsettled_->values().begin());
     return false;
   }
   rebase();
   if (pass >= most_passes)
-    throw StepFailed("flow and skeleton do not agree after " + std::to_string(most_passes) +
-                     " passes: pressures still change by " + std::to_string(change) +
-                     " Pa. Use a larger coupling_tolerance");
+    throw StepFailed(
+        "flow and skeleton do not agree after " + std::to_string(most_passes) + " passes: pressures still change by " +
+        std::to_string(change) + " Pa, and the skeleton moved " + std::to_string(rest.displacement) +
+        " m in the last one (near failure it does not stop). Use a larger coupling_tolerance, or go on with "
+        "a dynamic stage");
   if (pass == 0) anderson_.clear();
   for (double& off : off_) off = -off;
   const std::vector<double> more = anderson_.mix(off_, weight_);

@@ -8,8 +8,9 @@ namespace wetfront::mpm {
 /// Brings a deforming skeleton to rest under the forces that act on it (README.md section 3): elastic corrections as
 /// long as they help, damped motion otherwise.
 ///
-/// Out of balance: sum |f| over the nodes and axes that can move / max(sum |f| where they are held, weight). A state
-/// within Relaxation::unbalanced_ratio is an equilibrium. Velocities are zero before and after.
+/// Out of balance: sum |f| over the nodes and axes that can move / max(sum |f| where they are held, weight, the same
+/// sum at its worst in this relaxation). A state within Relaxation::unbalanced_ratio is an equilibrium. Velocities are
+/// zero before and after.
 template <int dim>
 class Relaxer {
  public:
@@ -31,7 +32,7 @@ class Relaxer {
 
  private:
   class Listener;
-  double imbalance() const;
+  double imbalance();
   double kinetic_energy() const;
   void clear_velocities();
   bool correct();
@@ -46,7 +47,8 @@ class Relaxer {
   Column *velocity_, *affine_ = nullptr;  ///< of points
   std::unique_ptr<ElasticSolve<dim>> elastic_;
   bool factorised_ = false, elastic_possible_ = true;
-  double shortest_ = 0;  ///< altitude of a cell [m]
+  double shortest_ = 0;   ///< altitude of a cell [m]
+  double strongest_ = 0;  ///< sum |f| that was out of balance at the worst in this relaxation [N]
   long most_iterations_ = 0, crossing_ = 1;
   std::vector<double> start_;         ///< displacement when the relaxation began
   std::array<double, 4> energies_{};  ///< largest kinetic energy of the last wave crossings, newest first [J]
