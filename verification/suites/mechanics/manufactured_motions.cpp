@@ -151,6 +151,9 @@ std::vector<Case> manufactured_motion_cases() {
     return [=](MotionBook& book) { climb({motion, cells, gate, crossing}, book); };
   };
   return {
+      motion_case(
+          {"axis_aligned_small", "M1 Axis-aligned manufactured motion, small", requirement, source, Effort::quick, {}},
+          climbing(axis_aligned_motion(0.002), {8, 16, 32}, "points move by 0.002: none crosses a cell")),
       motion_case({"axis_aligned", "M1 Axis-aligned manufactured motion", requirement, source, Effort::everyday, {}},
                   climbing(axis_aligned_motion(), {8, 16, 32, 64},
                            "points move by 0.05: they cross cells from 8 cells on, several from 32 on")),

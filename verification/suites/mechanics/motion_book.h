@@ -24,7 +24,11 @@ class MotionBook {
 
  private:
   void enter(const std::string& label, const meshes::FieldHistory& history, std::size_t points);
+  void balance(const meshes::FieldHistory& history);
   reports::Table runs_;
+  double momentum_ = 0;  ///< worst drift of momentum of the runs, relative to what was exchanged
+  double energy_ = 0;    ///< worst drift of energy, relative to what was exchanged
+  int balanced_ = 0;     ///< runs with a ledger
 };
 
 /// A case whose page is written through a MotionBook.
