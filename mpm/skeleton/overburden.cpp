@@ -161,10 +161,10 @@ double Overburden<dim>::weight(std::size_t cell, const Vector<dim>& x, double fr
   return density * gravity_ * (until - from);
 }
 
-/// Water standing on the soil, and loads, where the line leaves it.
+/// Loads where the line leaves the soil.
 template <int dim>
-double Overburden<dim>::load_on_top(std::size_t cell, const Vector<dim>& top, int face) const {
-  double load = water_of_soil_.empty() ? 0.0 : std::max(water_at(cell, top).pressure, 0.0);
+double Overburden<dim>::load_on_top(std::size_t cell, int face) const {
+  double load = 0;
   const int side = face >= 0 ? faces_.side(cell, face) : -1;
   for (const SkeletonBoundary& boundary : plan_.problem.skeleton_boundary) {
     const auto* traction = std::get_if<Traction>(&boundary);
@@ -203,9 +203,7 @@ double Overburden<dim>::above(const Vector<dim>& x) const {
     });
   }
   if (top < 0) return 0;
-  Vector<dim> place = x;
-  for (int a = 0; a < dim; ++a) place[a] += top * up_[a];
-  return sum + load_on_top(top_cell, place, top_face);
+  return sum + load_on_top(top_cell, top_face);
 }
 
 template <int dim>

@@ -8,8 +8,9 @@
 namespace wetfront::mpm {
 
 /// What lies above a place, along the line against gravity through it: all soil that the line crosses (cells by their
-/// faces, cut cells up to Problem::surface), with its water in a stage that has one, water that stands on the soil, and
-/// loads on the side or free surface where the line leaves it.
+/// faces, cut cells up to Problem::surface), with its water in a stage that has one, and tractions
+/// where the line leaves it. Water that stands on the soil presses on the skeleton only where the scene gives it as a
+/// traction, here as in the run.
 template <int dim>
 class Overburden {
  public:
@@ -38,7 +39,7 @@ class Overburden {
   /// Calls `body(from, until)` for what of the range lies below the problem's surface.
   void below_surface(const Vector<dim>& x, const Range& range, const std::function<void(double, double)>& body) const;
   double weight(std::size_t cell, const Vector<dim>& x, double from, double until) const;
-  double load_on_top(std::size_t cell, const Vector<dim>& top, int face) const;
+  double load_on_top(std::size_t cell, int face) const;
   Water water_at(std::size_t cell, const Vector<dim>& x) const;
 
   const StagePlan<dim>& plan_;
