@@ -176,7 +176,8 @@ typename Relaxer<dim>::Outcome Relaxer<dim>::run() {
     outcome.ratio = imbalance();
     if (!std::isfinite(outcome.ratio)) give_up(outcome);
     const bool gains = outcome.ratio <= least_gain * before;
-    if (outcome.ratio <= elastic_ratio || (outcome.ratio <= wanted && !(elastic && gains))) break;
+    const bool settled = std::ranges::all_of(cycle_->conditions, [](const auto& one) { return one->settled(); });
+    if (settled && (outcome.ratio <= elastic_ratio || (outcome.ratio <= wanted && !(elastic && gains)))) break;
     if (outcome.iterations >= most_iterations_) give_up(outcome);
     if (elastic && !gains) elastic = false;
     before = outcome.ratio;
