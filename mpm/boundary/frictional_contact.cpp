@@ -115,8 +115,8 @@ ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>
     if (node.count > 0) base_.push_back(node);
   }
   impulse_.assign(normal_.size(), 0.0);
-  const auto there = [&plan](const char* name) -> const Column* {
-    const Column* column = plan.fields.points.columns.find(name);
+  const auto there = [](const ColumnSet& set, const char* name) -> const Column* {
+    const Column* column = set.find(name);
     return column != nullptr && !column->provided_by().empty() ? column : nullptr;
   };
   // Where the liquid has a momentum balance of its own, it has made the accelerations by then.
@@ -130,9 +130,11 @@ ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>
   weight_ = wall_pressure_;
   // The liquid's effect joins later: columns are looked up when the stage begins.
   plan.at_ready([this, there] {
-    pore_stress_ = there("pore stress");
-    pressure_ = there("pressure");
-    saturation_ = there("saturation");
+    const auto& columns = plan_.fields.points.columns;
+    pore_stress_ = there(columns, "pore stress");
+    pressure_ = there(columns, "pressure");
+    saturation_ = there(columns, "saturation");
+    node_pressure_ = there(plan_.fields.grid.columns, "pressure");
   });
 }
 
@@ -162,6 +164,11 @@ void ContactCondition<dim>::find_wall_pressure() {
   }
   for (const Node& node : base_)
     if (weight_[node.index] > 0) wall_pressure_[node.index] /= weight_[node.index];
+  // Where the node itself is under water its own pressure is the wall's; the mean over its cells lies half a cell
+  // above.
+  if (pore_stress_ == nullptr || node_pressure_ == nullptr) return;
+  for (const Node& node : base_)
+    if (const double p = (*node_pressure_)[0][node.index]; p > 0) wall_pressure_[node.index] = p;
 }
 
 /// Says whether the node sticks.

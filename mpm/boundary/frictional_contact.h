@@ -49,7 +49,8 @@ class ContactCondition : public NodalCondition<dim> {
   std::vector<Node> base_;
   std::vector<Vector<dim>> normal_;  ///< of each node's planes, in the axes that are not held; length 1
   std::vector<double> friction_, area_, impulse_;
-  const Column *pore_stress_ = nullptr, *pressure_ = nullptr, *saturation_ = nullptr, *volume_ = nullptr;
+  const Column *node_pressure_ = nullptr, *pore_stress_ = nullptr, *pressure_ = nullptr, *saturation_ = nullptr,
+               *volume_ = nullptr;
   std::vector<double> wall_pressure_, weight_;  ///< per node of the grid; empty in a dry scene
 };
 

@@ -27,7 +27,7 @@ void PeriodicCondition<dim>::share(Column& column) const {
 }
 
 template <int dim>
-void PeriodicCondition<dim>::add_force() {
+void PeriodicCondition<dim>::see_force() {
   share(nodes_.velocity);
   for (const auto& group : groups_) {
     double mass = 0;

@@ -9,7 +9,8 @@ template <int dim>
 class PeriodicCondition : public NodalCondition<dim> {
  public:
   PeriodicCondition(StagePlan<dim>& plan, const std::vector<PeriodicSkeleton>& sides);
-  void add_force() override;
+  /// Here, not in add_force: all forces are to be there (water's come later), and damping sees the sum, not its parts.
+  void see_force() override;
   void limit_acceleration() override;
   void limit_velocity() override;
 
