@@ -2,6 +2,7 @@
 #include "verification/run/run_scene.h"
 #include "verification/suites/hard/hard_suite.h"
 #include "verification/suites/hydraulics/hydraulics_suite.h"
+#include "verification/suites/mechanics/mechanics_suite.h"
 #include "verification/suites/reference_suite.h"
 #include "verification/suites/run_suite.h"
 
@@ -27,6 +28,10 @@ const std::vector<Suite>& suites() {
          return run_suite(hydraulics_suite(), options, "Water in the material points: schemes, sides, surfaces");
        }},
       {"hard", run_hard_suite},
+      {"mechanics",
+       [](const SuiteOptions& options) {
+         return run_suite(mechanics_suite(), options, "Motion of the skeleton, alone and with its water");
+       }},
   };
   return all;
 }

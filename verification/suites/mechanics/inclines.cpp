@@ -20,15 +20,15 @@ constexpr double degree = std::numbers::pi / 180, slope = 30 * degree, gravity =
 struct Block {
   double friction;  ///< of the base
   bool turned_mesh;
-  double end = 1;
+  double end = 2;
 };
 
 template <int dim>
 mpm::Problem<dim> block(const Block& b) {
   constexpr int up = dim - 1;
   const double h = 0.25;
-  const double length = 5;
-  auto mesh = dim == 2 ? rectangle_mesh(length, 1.5, 20, 6) : box_mesh(3, {length, 1, 1.5}, {20, 4, 6});
+  const double length = 17;
+  auto mesh = dim == 2 ? rectangle_mesh(length, 1.5, 68, 6) : box_mesh(3, {length, 1, 1.5}, {68, 4, 6});
   std::vector<char> empty(mesh.cell_count());
   for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
     const auto at = mesh.cell_centre(c);
@@ -64,13 +64,23 @@ std::vector<std::array<double, 2>> slid(const Motion<dim>& motion, const Block& 
   return out;
 }
 
+/// Least squares through the velocities from `first` on: the block rocks about its mean.
+double slope_of(const std::vector<std::array<double, 2>>& path, std::size_t first) {
+  double n = 0, t = 0, v = 0, tt = 0, tv = 0;
+  for (std::size_t k = first; k < path.size(); ++k) {
+    const auto& [time, velocity] = path[k];
+    n += 1, t += time, v += velocity, tt += time * time, tv += time * velocity;
+  }
+  return (n * tv - t * v) / (n * tt - t * t);
+}
+
 template <int dim>
 void slide(bool turned_mesh, MotionBook& book) {
   auto figure =
       figure_frame({"velocity", "Velocity along the slope", "Time series"}, {"time", "s"}, {"velocity", "m/s"});
   int colour = 0;
   for (const double friction : {0.0, 0.2, std::tan(20 * degree), 0.5, 0.6}) {
-    const Block b{friction, turned_mesh};
+    const Block b{friction, turned_mesh, friction > 0.3 ? 4.0 : 2.0};  // the slower, the longer it rocks about its mean
     const double expected = exact::sliding_acceleration(slope, friction, gravity);
     const auto motion = book.move<dim>(fmt::format("mu = {:.3g}", friction), block<dim>(b));
     const auto path = slid(motion, b);
@@ -79,16 +89,17 @@ void slide(bool turned_mesh, MotionBook& book) {
     for (const auto& [t, v] : path) put(dots, t, v), put(exact, t, expected * t);
     figure.series.push_back(exact);
     figure.series.push_back(dots);
-    // between a quarter and the end: the block first settles onto its base
-    const auto& [t0, v0] = path[path.size() / 4];
-    const auto& [t1, v1] = path.back();
-    const double measured = (v1 - v0) / (t1 - t0);
-    if (expected > 0)
-      book.page.expect("error", fmt::format("acceleration, mu = {:.3g} [m/s2]", friction), measured, expected,
-                       {0.01, "1", "the issue's"});
-    else
-      book.page.judge("stick", fmt::format("velocity of a block that sticks, mu = {:.3g}", friction), std::abs(v1),
-                      {0.01, "m/s", "free fall along the slope would give 4.9 m/s; an elastic block rocks"});
+    const std::size_t settled = path.size() / 4;  // the block first finds its place on the base
+    if (expected > 0) {
+      book.page.expect("error", fmt::format("acceleration, mu = {:.3g} [m/s2]", friction), slope_of(path, settled),
+                       expected, {0.01, "1", "the issue's"});
+    } else {
+      double mean = 0;
+      for (std::size_t k = path.size() / 2; k < path.size(); ++k) mean += path[k][1] / (path.size() - path.size() / 2);
+      book.page.judge("stick", fmt::format("mean velocity of a block that sticks, second half, mu = {:.3g}", friction),
+                      std::abs(mean),
+                      {0.01, "m/s", "free fall along the slope would give 7.4 m/s; an elastic block rocks"});
+    }
   }
   book.page.draw(figure);
 }

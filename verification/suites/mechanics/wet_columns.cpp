@@ -37,7 +37,16 @@ void consolidate(LiquidScheme scheme, const std::vector<double>& factors, Motion
   std::vector<double> times;
   for (const double factor : factors)
     times.push_back(factor * column.height * column.height / exact.consolidation_coefficient());
-  const auto motion = book.move<2>("40 cells", wet_problem(column, scheme, times));
+  auto problem = wet_problem(column, scheme, times);
+  double ramp = 0;
+  if (scheme == LiquidScheme::implicit_drag) {
+    // Put on over ten periods of the undrained column, so that its waves do not ring on; half of it later in effect.
+    const double density = (1 - column.porosity) * column.grain_density + column.porosity * 1000;
+    ramp = 40 * column.height /
+           exact::undrained_wave_speed({column.oedometer_modulus(), column.water_modulus, column.porosity}, density);
+    std::get<mpm::Traction>(problem.skeleton_boundary.front()).factor = {{0, ramp}, {0, 1}};
+  }
+  const auto motion = book.move<2>("40 cells", problem);
   auto figure = figure_frame({"isochrones", "Excess pore pressure over height", "Profiles"}, {"pore pressure", "kPa"},
                              {"height", "m"});
   const Gate gate{0.01, "1", "the issue's, at h = H/40"};
@@ -47,7 +56,8 @@ void consolidate(LiquidScheme scheme, const std::vector<double>& factors, Motion
     auto dots = points(fmt::format("T = {:g}", factors[t]), static_cast<int>(t));
     double squares = 0;
     for (int c = 0; c < column.cells; ++c) {
-      const double y = column.height * (c + 0.5) / column.cells, p = exact.pressure(column.height - y, times[t]);
+      const double y = column.height * (c + 0.5) / column.cells,
+                   p = exact.pressure(column.height - y, times[t] - ramp / 2);
       const double ours = snapshot.cell_pressure[static_cast<std::size_t>(c)];
       squares += std::pow(ours - p, 2) / column.cells;
       put(curve, p / 1e3, y);
@@ -58,7 +68,8 @@ void consolidate(LiquidScheme scheme, const std::vector<double>& factors, Motion
     const std::string at = fmt::format(", T = {:g}", factors[t]);
     book.page.judge("error", "rms error of the pressure over the cells, relative to that of the start" + at,
                     std::sqrt(squares) / exact.initial_pressure(), gate);
-    book.page.expect("settlement", "settlement [m]" + at, settled(snapshot), exact.settlement(times[t]), gate);
+    book.page.expect("settlement", "settlement [m]" + at, settled(snapshot), exact.settlement(times[t] - ramp / 2),
+                     gate);
   }
   book.page.draw(figure);
 }
