@@ -30,7 +30,7 @@ mpm::Problem<2> saturated_column(int cells, double end) {
   problem.gravity_origin = "suite";
   problem.skeleton_boundary.clear();
   problem.fixities = {{"left", {true, false, false}, "suite"}, {"base", {true, true, false}, "suite"}};
-  problem.water_boundary = {mpm::RainSide{mpm::free_surface, {}, "suite"}};
+  problem.water_boundary.clear();  // nothing passes its surface
   problem.initial_stress = mpm::InitialStress::k0;
   problem.skeleton.pic = 0.005;
   fill_only<2>(problem, [](const meshes::Point& at) { return at[0] < width && at[1] < height; });
