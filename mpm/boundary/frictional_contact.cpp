@@ -115,37 +115,31 @@ ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>
     if (node.count > 0) base_.push_back(node);
   }
   impulse_.assign(normal_.size(), 0.0);
-  const auto there = [](const ColumnSet& set, const char* name) -> const Column* {
-    const Column* column = set.find(name);
-    return column != nullptr && !column->provided_by().empty() ? column : nullptr;
-  };
   // Where the liquid has a momentum balance of its own, it has made the accelerations by then.
   const bool two_velocities =
       plan.stage.liquid == LiquidScheme::implicit_drag || plan.stage.liquid == LiquidScheme::explicit_drag;
   const bool damping = plan.stage.motion == SkeletonMotion::quasi_static || plan.stage.local_damping > 0;
   damped_ = damping && !two_velocities;
-  if (!plan.stage.liquid) return;
+  if (two_velocities)
+    plan.at_finish([](meshes::FieldHistory& history) {
+      history.log.push_back(
+          "frictional contact: friction acts on the whole reaction of the skeleton, water pressure at the base "
+          "included (the "
+          "two-velocity schemes do not say what part is the water's), so the base holds too well under water");
+    });
+  if (!plan.stage.liquid || two_velocities) return;
   volume_ = &plan.require_on_points("volume");
   wall_pressure_.assign(plan.fields.grid.node_count(), 0.0);
   weight_ = wall_pressure_;
   // The liquid's effect joins later: columns are looked up when the stage begins.
-  plan.at_ready([this, there] {
-    const auto& columns = plan_.fields.points.columns;
-    pore_stress_ = there(columns, "pore stress");
-    pressure_ = there(columns, "pressure");
-    saturation_ = there(columns, "saturation");
+  plan.at_ready([this] {
+    const auto there = [](const ColumnSet& set, const char* name) -> const Column* {
+      const Column* column = set.find(name);
+      return column != nullptr && !column->provided_by().empty() ? column : nullptr;
+    };
+    pore_stress_ = there(plan_.fields.points.columns, "pore stress");
     node_pressure_ = there(plan_.fields.grid.columns, "pressure");
   });
-}
-
-/// What of the wall's reaction on the skeleton is the water's: chi p where the skeleton carries total stress (seepage),
-/// the skeleton's share (1 - n) S p where liquid and skeleton have a momentum balance each.
-template <int dim>
-double ContactCondition<dim>::part_of_water(const Block& block, std::size_t point) const {
-  if (pore_stress_ != nullptr) return (*pore_stress_)[0][point];
-  if (pressure_ == nullptr || saturation_ == nullptr) return 0;
-  const Soil& soil = plan_.problem.soils[static_cast<std::size_t>(plan_.fields.grid.region(block.cell))];
-  return (1 - soil.porosity) * (*saturation_)[0][point] * (*pressure_)[0][point];
 }
 
 template <int dim>
@@ -155,7 +149,7 @@ void ContactCondition<dim>::find_wall_pressure() {
     double volume = 0, pushed = 0;
     for (std::size_t p = block.first; p < block.first + block.count; ++p) {
       volume += (*volume_)[0][p];
-      pushed += (*volume_)[0][p] * part_of_water(block, p);
+      pushed += (*volume_)[0][p] * (*pore_stress_)[0][p];
     }
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       wall_pressure_[static_cast<std::size_t>(block.nodes[i])] += pushed;
@@ -166,7 +160,7 @@ void ContactCondition<dim>::find_wall_pressure() {
     if (weight_[node.index] > 0) wall_pressure_[node.index] /= weight_[node.index];
   // Where the node itself is under water its own pressure is the wall's; the mean over its cells lies half a cell
   // above.
-  if (pore_stress_ == nullptr || node_pressure_ == nullptr) return;
+  if (node_pressure_ == nullptr) return;
   for (const Node& node : base_)
     if (const double p = (*node_pressure_)[0][node.index]; p > 0) wall_pressure_[node.index] = p;
 }
@@ -210,7 +204,7 @@ void ContactCondition<dim>::damp(const Node& node, Vector<dim>& v) {
 
 template <int dim>
 void ContactCondition<dim>::limit_acceleration() {
-  if (!wall_pressure_.empty()) find_wall_pressure();
+  if (pore_stress_ != nullptr) find_wall_pressure();
   const double dt = cycle_.dt;
   for (Node& node : base_) {
     node.sticks = false;

@@ -38,7 +38,6 @@ class ContactCondition : public NodalCondition<dim> {
     Vector<dim> force{};  ///< before damping
   };
   void find_wall_pressure();
-  double part_of_water(const Block& block, std::size_t point) const;
   void damp(const Node& node, Vector<dim>& v);
   bool stop_at_planes(Node& node, Vector<dim>& v, double mass, double dt);
 
@@ -49,9 +48,8 @@ class ContactCondition : public NodalCondition<dim> {
   std::vector<Node> base_;
   std::vector<Vector<dim>> normal_;  ///< of each node's planes, in the axes that are not held; length 1
   std::vector<double> friction_, area_, impulse_;
-  const Column *node_pressure_ = nullptr, *pore_stress_ = nullptr, *pressure_ = nullptr, *saturation_ = nullptr,
-               *volume_ = nullptr;
-  std::vector<double> wall_pressure_, weight_;  ///< per node of the grid; empty in a dry scene
+  const Column *node_pressure_ = nullptr, *pore_stress_ = nullptr, *volume_ = nullptr;
+  std::vector<double> wall_pressure_, weight_;  ///< per node of the grid; with seepage only
 };
 
 }  // namespace wetfront::mpm
