@@ -10,9 +10,10 @@ namespace wetfront::mpm {
 ///     reaction  += dt sum (m_i a_i - f_i)                  sides, contact, damping (and drag, where the liquid moves
 ///     too) works     += dt sum of the same with (v_i + dt a_i/2), so that nodal kinetic energy follows to round-off
 ///
-/// sum f_int is zero, so momentum of the points = first + impulse + reaction to round-off. The energy does not close
-/// so: points keep motion that nodes do not see, and mapping back loses some; the row's `drift` is that. Has to join
-/// after all that acts on the nodes.
+/// sum f_int is zero, so momentum of the points = first + impulse + reaction to round-off. What points held at the mesh
+/// border lose of their velocity no node knows: it shows as drift. The energy does not close so: points keep motion
+/// that nodes do not see, and mapping back loses some; the row's `drift` is that. Has to join after all that acts on
+/// the nodes.
 template <int dim>
 class MotionLedger : public Effect<dim> {
  public:
