@@ -139,9 +139,9 @@ void join_seepage(StagePlan<dim>& plan, const std::shared_ptr<SkeletonCycle<dim>
 }
 
 template <int dim>
-void join_two_velocities(StagePlan<dim>& plan) {
+void join_two_velocities(StagePlan<dim>& plan, SkeletonCycle<dim>* cycle) {
   auto water = std::make_shared<TwoVelocityWater<dim>>(plan);
-  plan.join(std::make_unique<TwoVelocityLiquid<dim>>(plan.stage.origin, water));
+  plan.join(std::make_unique<TwoVelocityLiquid<dim>>(plan.stage.origin, water, cycle));
   if (const Origin* origin = first_origin<RainSide>(plan.problem))
     plan.join(std::make_unique<RainOnTwoVelocity<dim>>(*origin, water));
 }
@@ -162,7 +162,7 @@ void join_liquid(StagePlan<dim>& plan, const std::shared_ptr<SkeletonCycle<dim>>
     throw CannotPlan(where +
                      " moves its skeleton from equilibrium to equilibrium and its liquid in true time (the two have no "
                      "common step). Use dynamic motion, or the scheme seepage");
-  join_two_velocities(plan);
+  join_two_velocities(plan, cycle.get());
 }
 
 }  // namespace

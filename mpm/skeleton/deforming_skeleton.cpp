@@ -1,7 +1,6 @@
 #include "mpm/skeleton/deforming_skeleton.h"
 
 #include "mpm/boundary/boundary_side.h"
-#include "mpm/skeleton/rigid_skeleton.h"
 
 #include <cmath>
 #include <limits>
@@ -9,14 +8,6 @@
 
 /// How the skeleton joins a plan: columns, laws, kernels, limits. What the kernels do: skeleton_step.cpp.
 namespace wetfront::mpm {
-
-namespace {
-
-bool two_velocities(const Stage& stage) {
-  return stage.liquid == LiquidScheme::implicit_drag || stage.liquid == LiquidScheme::explicit_drag;
-}
-
-}  // namespace
 
 template <int dim>
 DeformingSkeleton<dim>::DeformingSkeleton(Origin origin)
@@ -137,16 +128,6 @@ void DeformingSkeleton<dim>::add_kernels(StagePlan<dim>& plan) {
   cycle_->migrate = add(Phase::carry, "migration", [this] { migration_->run(); });
 }
 
-/// Stencils as columns, for who reads them.
-template <int dim>
-void DeformingSkeleton<dim>::add_stencils(StagePlan<dim>& plan) {
-  Column& value = plan.provide_on_points(shape_value_spec<dim>());
-  Column& gradient = plan.provide_on_points(shape_gradient_spec<dim>());
-  plan.add_over_blocks(Phase::gather, "stencils", [&fields = plan.fields, &value, &gradient](const Block& block) {
-    fill_stencils<dim>(fields.grid, fields.points, block, value, gradient);
-  });
-}
-
 template <int dim>
 void DeformingSkeleton<dim>::add_limits(StagePlan<dim>& plan) {
   const auto wave = [this](std::size_t soil) {
@@ -197,7 +178,6 @@ void DeformingSkeleton<dim>::join(StagePlan<dim>& plan) {
   cycle_->active = active_.get();
   migration_->prepare(chunks_->size());
   found_.resize(chunks_->size() * soils_.size());
-  if (two_velocities(plan.stage)) add_stencils(plan);
   add_kernels(plan);
   add_limits(plan);
   plan.at_begin([this] { find_rates(); });

@@ -28,7 +28,6 @@ class DeformingSkeleton : public Effect<dim> {
   void find_fixed(StagePlan<dim>& plan);
   void choose_laws(StagePlan<dim>& plan);
   void add_kernels(StagePlan<dim>& plan);
-  void add_stencils(StagePlan<dim>& plan);
   void add_limits(StagePlan<dim>& plan);
   void tell(StagePlan<dim>& plan);
 

@@ -72,24 +72,10 @@ void TwoVelocityLiquid<dim>::add_rain_on_cut_surface(StagePlan<dim>& plan) {
   });
 }
 
-/// Step VI: the pressure of a cell is the inverse of its water content. Where points move, the cells are summed anew
-/// first, with the points and pores they have at the end of the step.
+/// Step VI: the pressure of a cell is the inverse of its water content.
 template <int dim>
 void TwoVelocityLiquid<dim>::add_pressure(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
-  if (moving_ != nullptr) {
-    const std::vector<std::size_t> start = plan.fields.points.count_of_cell();
-    plan.add(Phase::carry, "cell integrals after moving", [this, &plan, start] {
-      // Rain sides and walls are those of the cells occupied at the start.
-      const auto& now = plan.fields.points.count_of_cell();
-      if (!std::equal(now.begin(), now.end(), start.begin(),
-                      [](std::size_t a, std::size_t b) { return (a > 0) == (b > 0); }))
-        throw StepFailed(
-            "points have left a cell empty or entered an empty one (the two-velocity scheme does not follow "
-            "a moving surface yet). End the stage before");
-      sum_cells(plan);
-    });
-  }
   for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
     const Soil& soil = plan.problem.soils[r];
     with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
@@ -107,7 +93,7 @@ void TwoVelocityLiquid<dim>::add_pressure(StagePlan<dim>& plan) {
                            " of its pores, which no pressure explains" + step_against_limit<dim>(plan, w));
         w.cells.pressure[block.cell] = p;
       };
-      plan.add_over_blocks(w.pressures_in, "pressure of cells [" + soil.name + "]", static_cast<int>(r), find);
+      plan.add_over_blocks(Phase::pressure, "pressure of cells [" + soil.name + "]", static_cast<int>(r), find);
       plan.at_ready([&points = plan.fields.points, r, find] {
         for (const Block& block : points.blocks(static_cast<int>(r))) find(block);
       });

@@ -1,9 +1,7 @@
-#include "mpm/laws/soil_water.h"
-#include "mpm/skeleton/rigid_skeleton.h"
 #include "mpm/two_velocity/nodal_vector.h"
 #include "mpm/two_velocity/two_velocity.h"
 
-/// Steps I to III of the two-velocity scheme: momentum of the liquid, and what it does to a moving skeleton.
+/// Steps I to III of the two-velocity scheme in a resting skeleton: momentum of the liquid.
 namespace wetfront::mpm {
 
 /// Step I: water and velocity of the points to the nodes.
@@ -49,8 +47,6 @@ void TwoVelocityLiquid<dim>::add_gather(StagePlan<dim>& plan) {
       put<dim>(*w.velocity, i, v);
     }
   };
-  if (moving_ != nullptr)
-    plan.add(Phase::gather, "skeleton velocity", [skeleton = moving_] { skeleton->read_momentum(); });
   plan.add(Phase::gather, "liquid velocity of points to nodes", from_points_);
   plan.at_ready(content_);
 }
@@ -62,7 +58,6 @@ void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
   auto& points = plan.fields.points;
   const Column& shape = plan.require_on_points("shape value");
   const std::size_t nodes = plan.fields.grid.node_count();
-  if (moving_ != nullptr) add_pull_on_skeleton(plan);
   const Vector<dim> weight = liquid_weight(plan);
   forces_ = [&w, &plan, &points, weight, nodes] {
     for (int a = 0; a < dim; ++a)
@@ -94,43 +89,12 @@ void TwoVelocityLiquid<dim>::add_momentum(StagePlan<dim>& plan) {
           (*point_velocity_)[a][q] += shape[i][q] * change;
       }
   });
-  if (moving_ != nullptr)
-    plan.add(Phase::point_velocity, "skeleton velocity mapped back",
-             [skeleton = moving_] { skeleton->read_velocity(); });
   plan.add(Phase::point_velocity, "liquid velocity mapped back", from_points_);
-}
-
-/// Of the force on both phases together, F = - sum_p V_p sigma grad N + (m_s + m_l) g with sigma = sigma' - S p I
-/// (Eq. 2, steps II), the part that the skeleton alone does not know: + sum_c S_c p_c grad_ci + m_l g. It joins the
-/// skeleton's force at the end of step I, before that is damped.
-template <int dim>
-void TwoVelocityLiquid<dim>::add_pull_on_skeleton(StagePlan<dim>& plan) {
-  TwoVelocityWater<dim>& w = *water_;
-  Column& force = moving_->force();
-  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
-    const Soil& soil = plan.problem.soils[r];
-    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
-      const auto pull = [&w, &force, laws](const Block& block) {
-        const double p = w.cells.pressure[block.cell], saturation = laws.saturation(p);
-        for (int i = 0; i < cell_nodes<dim>; ++i)
-          for (int a = 0; a < dim; ++a)
-            force[a][block.nodes[i]] +=
-                saturation * (p * w.cells.gradient[block.cell][i][a] + w.cells.hanging[block.cell][i][a]);
-      };
-      plan.add_over_blocks(Phase::gather, "pore pressure on skeleton [" + soil.name + "]", static_cast<int>(r), pull);
-    });
-  }
-  plan.add(Phase::gather, "weight of pore liquid", [&w, &force, weight = liquid_weight(plan)] {
-    for (int a = 0; a < dim; ++a)
-      for (std::size_t i = 0; i < force.size(); ++i) force[a][i] += weight[a] * (*w.content)[0][i] * (*w.volume)[0][i];
-  });
 }
 
 template void TwoVelocityLiquid<2>::add_gather(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_gather(StagePlan<3>&);
 template void TwoVelocityLiquid<2>::add_momentum(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_momentum(StagePlan<3>&);
-template void TwoVelocityLiquid<2>::add_pull_on_skeleton(StagePlan<2>&);
-template void TwoVelocityLiquid<3>::add_pull_on_skeleton(StagePlan<3>&);
 
 }  // namespace wetfront::mpm

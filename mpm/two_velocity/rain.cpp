@@ -2,6 +2,7 @@
 
 #include "mpm/boundary/boundary_side.h"
 #include "mpm/record/water_ledger.h"
+#include "mpm/two_velocity/moving_liquid.h"
 #include "mpm/two_velocity/nodal_vector.h"
 
 #include <algorithm>
@@ -9,6 +10,15 @@
 #include <map>
 
 namespace wetfront::mpm {
+
+namespace {
+
+/// Not merely a seepage face.
+bool falls(const RainSide& rain) {
+  return std::any_of(rain.rain.intensity.begin(), rain.rain.intensity.end(), [](double i) { return i > 0; });
+}
+
+}  // namespace
 
 template <int dim>
 double RainOnTwoVelocity<dim>::normal_part(const Node& node, const Velocities<dim>& v) {
@@ -20,9 +30,18 @@ double RainOnTwoVelocity<dim>::normal_part(const Node& node, const Velocities<di
 template <int dim>
 void RainOnTwoVelocity<dim>::collect(const StagePlan<dim>& plan) {
   std::map<std::size_t, Node> found;
+  rain_of_boundary_.assign(plan.problem.water_boundary.size(), -1);
   for (const auto& boundary : plan.problem.water_boundary) {
     const auto* rain = std::get_if<RainSide>(&boundary);
     if (rain == nullptr) continue;
+    if (water_->body != nullptr) {
+      rain_of_boundary_[static_cast<std::size_t>(&boundary - plan.problem.water_boundary.data())] =
+          static_cast<int>(rains_.size());
+      if (rain->side != free_surface)  // that there is soil, and that rain can fall on it
+        open_areas(boundary_side(plan, rain->side, "rainfall", rain->origin), plan.problem, *rain);
+      rains_.push_back(*rain);
+      continue;
+    }
     if (rain->side == free_surface) {
       if (!water_->surface)
         throw CannotPlan(rain->origin +
@@ -44,22 +63,77 @@ void RainOnTwoVelocity<dim>::collect(const StagePlan<dim>& plan) {
     }
     rains_.push_back(*rain);
   }
-  for (auto& [index, node] : found) {
-    double square = 0, open = 0;
-    for (double component : node.normal) square += component * component;
-    node.area = std::sqrt(square);
-    for (double& component : node.normal) component /= node.area;
-    node.along = node.normal;
-    water_->walls.project(index, node.along);
-    for (int a = 0; a < dim; ++a) open += node.along[a] * node.normal[a];
-    // A hundredth: the walls at the node would have to lie within a degree of the surface itself.
-    if (open < 0.01)
-      throw CannotPlan(rains_[node.rains.front().first].origin + ": rain falls on a node (" + std::to_string(index) +
-                       ") that impermeable sides close in all directions it could take, so it cannot enter there. Let "
-                       "the rained side include all faces at that node");
-    for (double& component : node.along) component /= open;
-    nodes_.push_back(node);
-    water_->unmapped.emplace_back(index, node.normal);
+  for (auto& [index, node] : found) settle(index, node);
+}
+
+/// Normal, area and direction of the correction of a node whose faces have been added up.
+template <int dim>
+void RainOnTwoVelocity<dim>::settle(std::size_t index, Node& node) {
+  double open = 0;
+  node.area = length<dim>(node.normal);
+  for (double& component : node.normal) component /= node.area;
+  node.along = node.normal;
+  water_->walls.project(index, node.along);
+  for (int a = 0; a < dim; ++a) open += node.along[a] * node.normal[a];
+  // A hundredth: the walls at the node would have to lie within a degree of the surface itself.
+  node.closed = open < 0.01;
+  if (node.closed && water_->body == nullptr)
+    throw CannotPlan(rains_[node.rains.front().first].origin + ": rain falls on a node (" + std::to_string(index) +
+                     ") that impermeable sides close in all directions it could take, so it cannot enter there. Let "
+                     "the rained side include all faces at that node");
+  for (double& component : node.along) component = node.closed ? 0 : component / open;
+  nodes_.push_back(node);
+  water_->unmapped.emplace_back(index, node.normal);
+}
+
+/// Of a body that moves: the outer faces that rain finds now (body.h). Where walls close a node in all directions its
+/// rain runs off: steps of a surface that lies inside cells.
+template <int dim>
+void RainOnTwoVelocity<dim>::collect_from_body(const StagePlan<dim>& plan) {
+  const Grid<dim>& grid = plan.fields.grid;
+  const Vector<dim> up = upward(plan.problem);
+  std::map<std::size_t, Node> found;
+  for (const auto& outer : water_->body->outer()) {
+    if (outer.rains.empty()) continue;
+    const auto local = local_face<dim>(outer.face);
+    const auto integrals = Faces<dim>::integrals(grid, outer.cell, outer.face);
+    const Soil& soil = plan.problem.soils[static_cast<std::size_t>(grid.region(outer.cell))];
+    for (std::size_t k = 0; k < local.size(); ++k) {
+      const auto index = static_cast<std::size_t>(grid.cell_nodes_of(outer.cell)[local[k]]);
+      Node& node = found[index];
+      node.index = index;
+      node.mobility = soil.intrinsic_permeability / plan.problem.water->viscosity;
+      for (int a = 0; a < dim; ++a) node.normal[a] += integrals[k][a];
+      for (int boundary : outer.rains) {
+        const auto rain = static_cast<std::size_t>(rain_of_boundary_[static_cast<std::size_t>(boundary)]);
+        const double open = falls(rains_[rain]) ? std::max(0.0, dot<dim>(integrals[k], up)) : length<dim>(integrals[k]);
+        const auto same = std::find_if(node.rains.begin(), node.rains.end(),
+                                       [rain](const auto& other) { return other.first == rain; });
+        if (same == node.rains.end())
+          node.rains.emplace_back(rain, open);
+        else
+          same->second += open;
+      }
+    }
+  }
+  nodes_.clear();
+  water_->unmapped.clear();
+  for (auto& [index, node] : found) settle(index, node);
+}
+
+/// A rain that finds no face of the body any more stops the run.
+template <int dim>
+void RainOnTwoVelocity<dim>::refuse_to_miss(double time) const {
+  for (std::size_t k = 0; k < rains_.size(); ++k) {
+    const auto meets = [k](const Node& node) {
+      return std::any_of(node.rains.begin(), node.rains.end(), [k](const auto& rain) { return rain.first == k; });
+    };
+    if (std::any_of(nodes_.begin(), nodes_.end(), meets)) continue;
+    const std::string what = rains_[k].origin + ": rain on '" + rains_[k].side + "' finds no soil at " +
+                             std::to_string(time) +
+                             " s (the body has moved away from it, or lies nowhere open to the "
+                             "sky). Let it rain on the free surface, or end the stage before";
+    throw StepFailed(what);
   }
 }
 
@@ -78,6 +152,11 @@ void RainOnTwoVelocity<dim>::correct(double time, double dt) {
   for (Node& node : nodes_) {
     const std::size_t i = node.index;
     const double content = (*w.content)[0][i], rain = rate(node, time) / node.area;
+    if (node.closed) {
+      (*ponded_)[0][i] = 1;
+      node.flux = 0;
+      continue;
+    }
     Velocities<dim> capacity = w.skeleton->driven(w, i, node.mobility, dt);
     w.keep_to_walls(i, capacity);
     if (normal_part(node, capacity) > 0) {
@@ -108,6 +187,7 @@ template <int dim>
 void RainOnTwoVelocity<dim>::restore() {
   TwoVelocityWater<dim>& w = *water_;
   for (const Node& node : nodes_) {
+    if (node.closed) continue;
     const Velocities<dim> v{at<dim>(*w.velocity, node.index), w.skeleton->velocity(node.index)};
     const double missing = node.flux / (*w.content)[0][node.index] - normal_part(node, v);
     for (int a = 0; a < dim; ++a) (*w.velocity)[a][node.index] += missing * node.along[a];
@@ -145,6 +225,7 @@ void RainOnTwoVelocity<dim>::book(double time, double dt) {
     (*imposed_)[0][node.index] += taken * dt;
     (*run_off_)[0][node.index] += (rate(node, time) - taken) * dt;
     (*outflow_)[0][node.index] += std::max(node.flux, 0.0) * node.area * dt;
+    if (water_->body != nullptr) (*on_pieces_)[0][node.index] += rate(node, time) * dt;
   }
   if (water_->surface) book_pieces();
 }
@@ -164,11 +245,12 @@ void RainOnTwoVelocity<dim>::book_pieces() {
 
 template <int dim>
 void RainOnTwoVelocity<dim>::fill_ledger(double time) {
-  if (water_->surface)
+  if (on_pieces_ != nullptr)
     std::ranges::copy(on_pieces_->values(), asked_->values().begin());
   else
     asked_->fill(0);
   for (const Node& node : nodes_) {
+    if (water_->body != nullptr) break;  // what fell is what the steps brought: the areas change
     for (const auto& [rain, area] : node.rains)
       (*asked_)[0][node.index] += area * meshes::depth_until(rains_[rain].rain, time);
   }
@@ -188,9 +270,18 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
   outflow_ = &plan.require_on_nodes("outflow");
   ledger_ = &plan.require_on_run("water ledger");
   plan.require_on_points("liquid velocity");
-  if (water_->surface) on_pieces_ = &plan.provide_on_nodes({"rain asked of pieces", "Q_rain", volume});
+  if (water_->surface || water_->body != nullptr)
+    on_pieces_ = &plan.provide_on_nodes({"rain asked of pieces", "Q_rain", volume});
   grid_ = &plan.fields.grid;
   collect(plan);
+  if (water_->body != nullptr) {
+    collect_from_body(plan);
+    refuse_to_miss(0);
+    water_->liquid->at_other_body([this, &plan] {
+      collect_from_body(plan);
+      refuse_to_miss(plan.clock.end);
+    });
+  }
   for (const RainSide& rain : rains_)
     for (double start : rain.rain.start) plan.add_break(start);
   plan.add(Phase::accelerate, "rainfall", [this, &plan] { correct(plan.clock.time, plan.clock.dt); });

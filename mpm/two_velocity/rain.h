@@ -31,10 +31,14 @@ class RainOnTwoVelocity : public Effect<dim> {
     Vector<dim> along{};                                ///< direction of the correction, along.normal = 1
     double area = 0;                                    ///< |integral of N_i n| [m^(dim-1)]
     double mobility = 0;                                ///< k/mu, saturated [m2/(Pa s)]
+    bool closed = false;                                ///< by walls: all its rain runs off
     double flux = 0;                                    ///< w.n decided in step II [m/s]
     std::vector<std::pair<std::size_t, double>> rains;  ///< rain, horizontal area [m^(dim-1)]
   };
   void collect(const StagePlan<dim>& plan);
+  void collect_from_body(const StagePlan<dim>& plan);
+  void settle(std::size_t index, Node& node);
+  void refuse_to_miss(double time) const;
   void correct(double time, double dt);
   void restore();
   void surface_state();
@@ -49,6 +53,7 @@ class RainOnTwoVelocity : public Effect<dim> {
   std::shared_ptr<TwoVelocityWater<dim>> water_;
   std::vector<RainSide> rains_;
   std::vector<Node> nodes_;
+  std::vector<int> rain_of_boundary_;  ///< index into rains_, -1: not rain
   Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr, *outflow_ = nullptr;
   Column *ponded_ = nullptr, *ledger_ = nullptr, *on_pieces_ = nullptr;
   const Grid<dim>* grid_ = nullptr;

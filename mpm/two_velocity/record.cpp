@@ -41,10 +41,13 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
           if (after_seepage) content += weights[i] * of_seepage.at(p).value;
         }
         if (!after_seepage) content = law.value(pressure);
-        for (std::size_t q = block.first; q < block.first + block.count; ++q)
+        for (std::size_t q = block.first; q < block.first + block.count && !carried_before_; ++q)
           (*point_water_)[0][q] = laws.porosity * content * volume[0][q];
       }
     });
+  // A body that moves takes its liquid along.
+  if (const Column* solid = points.columns.find("velocity"); cycle_ != nullptr && solid != nullptr)
+    std::ranges::copy(solid->values(), point_velocity_->values().begin());
   if (!after_seepage) {
     // What is recorded of the start is the state given, not what the cells make of it.
     plan.at_begin([this, &plan] { std::ranges::copy(plan.problem.initial_pressure, (*water_->pressure)[0]); });
@@ -84,26 +87,35 @@ std::array<double, cell_nodes<dim>> TwoVelocityLiquid<dim>::centre_weights(const
 template <int dim>
 void TwoVelocityLiquid<dim>::start_as_darcy(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
-  forces_();
+  if (moving_)
+    moving_->add_force();
+  else
+    forces_();
   for (std::size_t i = 0; i < plan.fields.grid.node_count(); ++i) {
     if (!((*w.volume)[0][i] > 0)) continue;
     Vector<dim> v{};
     for (int a = 0; a < dim; ++a)
-      v[a] = (*w.force)[a][i] / (*w.volume)[0][i] * (*w.mobility)[0][i] / (*w.content)[0][i];
+      v[a] =
+          (*w.force)[a][i] / (*(moving_ ? w.flow_volume : w.volume))[0][i] * (*w.mobility)[0][i] / (*w.content)[0][i];
     w.walls.project(i, v);
     for (int a = 0; a < dim; ++a) {
       (*w.velocity)[a][i] = v[a];
       (*w.flux)[a][i] = (*w.content)[0][i] * v[a];
     }
   }
-  const Column& shape = *plan.fields.points.columns.find("shape value");
+  const auto& grid = plan.fields.grid;
+  const Column* solid = cycle_ != nullptr ? plan.fields.points.columns.find("velocity") : nullptr;
+  Stencil<dim> s;
   for (const Block& block : plan.fields.points.blocks())
-    for (std::size_t q = block.first; q < block.first + block.count; ++q)
+    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
+      grid.stencil(block.cell, grid.local(block.cell, plan.fields.points.position(q)), s);
       for (int a = 0; a < dim; ++a) {
-        (*point_velocity_)[a][q] = 0;
+        (*point_velocity_)[a][q] = solid != nullptr ? (*solid)[a][q] : 0.0;
         for (int i = 0; i < cell_nodes<dim>; ++i)
-          (*point_velocity_)[a][q] += shape[i][q] * (*w.velocity)[a][block.nodes[i]];
+          (*point_velocity_)[a][q] += s.value[i] * (*w.velocity)[a][block.nodes[i]];
       }
+    }
+  if (moving_) moving_->sum();  // their momentum
 }
 
 /// Stored water twice: from the points, which carry it, and from the pressures of the cells, which drive the flow.
@@ -112,13 +124,13 @@ void TwoVelocityLiquid<dim>::add_ledger(StagePlan<dim>& plan) {
   Column& ledger = plan.provide_on_run(water_ledger_spec());
   Column& outflow = plan.provide_on_nodes({"outflow", "Q_out", dim == 2 ? "m2" : "m3"});
   const auto begin = [this, &plan, &ledger, &outflow] {
-    ledger[ledger_stored][0] = 0;
-    ledger[ledger_stored_points][0] = plan.fields.points.sum(*point_water_);
+    ledger[ledger_stored][0] = moving_ ? moving_->stored() : 0;
+    ledger[ledger_stored_points][0] = moving_ ? moving_->held() : plan.fields.points.sum(*point_water_);
     ledger[ledger_outflow][0] = outflow.sum();
   };
   plan.add(Phase::carry, "water ledger", begin);
   plan.at_begin(begin);
-  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
+  for (std::size_t r = 0; r < plan.problem.soils.size() && !moving_; ++r) {
     const Soil& soil = plan.problem.soils[r];
     with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
       const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
@@ -161,8 +173,8 @@ void TwoVelocityLiquid<dim>::add_output(StagePlan<dim>& plan) {
     out.points.saturation.assign(points.size(), nothing);
     auto next_pressure = out.points.pressure.begin(), next_saturation = out.points.saturation.begin();
     for (const Block& block : points.blocks()) {
-      const auto& law = saturation[static_cast<std::size_t>(grid.region(block.cell))];
-      const double p = water_->cells.pressure[block.cell], s = law(p);
+      const auto& law = saturation[static_cast<std::size_t>(block.soil)];
+      const double p = water_->block_pressure(block), s = law(p);
       out.cell_pressure[block.cell] = p;
       out.cell_saturation[block.cell] = s;
       next_pressure = std::fill_n(next_pressure, block.count, p);

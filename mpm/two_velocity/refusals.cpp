@@ -85,9 +85,6 @@ void TwoVelocityLiquid<dim>::refuse_what_it_cannot_do(const StagePlan<dim>& plan
   if (!problem.conductivity_factor.empty())
     throw CannotPlan(problem.soils.front().origin + ": the cells have conductivity factors of their own, but " + who +
                      " (it takes the permeability from the soil). Use the scheme seepage");
-  if (!problem.surface.empty() && problem.soils.front().elastic)
-    throw CannotPlan(plan.stage.origin + ": the problem has a surface inside cells and an elastic skeleton, but " +
-                     who + " (which follows such a surface only while it rests). Fit the mesh to the surface");
 }
 
 template void TwoVelocityLiquid<2>::refuse_what_it_cannot_do(const StagePlan<2>&) const;

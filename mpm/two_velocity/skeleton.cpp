@@ -1,6 +1,6 @@
 #include "mpm/two_velocity/skeleton.h"
 
-#include "mpm/boundary/boundary_side.h"
+#include "mpm/two_velocity/nodal_vector.h"
 #include "mpm/two_velocity/water.h"
 
 namespace wetfront::mpm {
@@ -21,31 +21,13 @@ Velocities<dim> RestingSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& 
 }
 
 template <int dim>
-MovingSkeleton<dim>::MovingSkeleton(StagePlan<dim>& plan)
-    : velocity_(plan.provide_on_nodes({"skeleton velocity", "v_s", "m/s", dim, Lifetime::step})),
+MovingSkeleton<dim>::MovingSkeleton(StagePlan<dim>& plan, const SkeletonCycle<dim>& cycle)
+    : cycle_(cycle),
+      velocity_(plan.require_on_nodes("velocity")),
       mass_(plan.require_on_nodes("mass")),
       force_(plan.require_on_nodes("force")),
-      momentum_(plan.require_on_nodes("velocity")),
-      acceleration_(plan.require_on_nodes("acceleration")) {
-  for (auto& axis : fixed_) axis.assign(plan.fields.grid.node_count(), 0);
-  for (const Fixity& fixity : plan.problem.fixities)
-    for (const auto& node : boundary_side(plan, fixity.side, "a fixity", fixity.origin).nodes)
-      for (std::size_t a = 0; a < dim; ++a)
-        if (fixity.fixed[a]) fixed_[a][static_cast<std::size_t>(node.index)] = 1;
-}
-
-template <int dim>
-void MovingSkeleton<dim>::read_momentum() {
-  for (int a = 0; a < dim; ++a)
-    for (std::size_t i = 0; i < mass_.size(); ++i)
-      velocity_[a][i] = fixed(a, i) || !(mass_[0][i] > 0) ? 0.0 : momentum_[a][i] / mass_[0][i];
-}
-
-template <int dim>
-void MovingSkeleton<dim>::read_velocity() {
-  for (int a = 0; a < dim; ++a)
-    for (std::size_t i = 0; i < mass_.size(); ++i) velocity_[a][i] = momentum_[a][i];
-}
+      acceleration_(plan.require_on_nodes("acceleration")),
+      free_(plan.provide_on_nodes({"acceleration of both phases", "a", "m/s2", dim, Lifetime::step})) {}
 
 template <int dim>
 Vector<dim> MovingSkeleton<dim>::velocity(std::size_t i) const {
@@ -54,27 +36,53 @@ Vector<dim> MovingSkeleton<dim>::velocity(std::size_t i) const {
   return v;
 }
 
-/// Two equations per axis (d = dt r, m = m_l/m_s, F the force on both phases together), drag as `Drag` says:
-///   v_l' = v_l + dt F_l/(rho_l V) - d (v_l - v_s),   v_s' + m v_l' = v_s + m v_l + dt F/m_s.
+/// Two equations per axis (d = dt r, m = m_l/m_s, a = F/m_s with the force F on both phases), drag as `Drag` says:
+///   v_l' = v_l + dt F_l/(rho_l V) - d (v_l - v_s),   v_s' + m v_l' = v_s + m v_l + dt a.
 template <int dim, class Drag>
 Velocities<dim> DraggedSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& water, std::size_t i, double mobility,
                                                    double dt) const {
   const double content = (*water.content)[0][i], volume = (*water.volume)[0][i], mass = this->mass_[0][i];
   const double drag = dt * content / (mobility * water.density), ratio = water.density * volume * content / mass;
+  const double per_force = dt / (water.density * (*water.flow_volume)[0][i]);
   Velocities<dim> v;
   for (int a = 0; a < dim; ++a) {
     const bool held = this->fixed(a, i);
     NodalDrag node;
     node.before = (*water.velocity)[a][i];
     node.solid_before = this->velocity_[a][i];
-    node.pushed = node.before + dt * (*water.force)[a][i] / (water.density * volume);
-    node.both = held ? 0 : node.solid_before + ratio * node.before + dt * this->force_[a][i] / mass;
+    node.pushed = node.before + per_force * (*water.force)[a][i];
+    node.both = held ? 0 : node.solid_before + ratio * node.before + dt * this->free_[a][i];
     node.ratio = held ? 0 : ratio;
     node.drag = drag;
     v.liquid[a] = Drag::liquid(node);
     v.solid[a] = held ? 0 : node.both - ratio * v.liquid[a];
   }
   return v;
+}
+
+template <int dim, class Drag>
+void DraggedSkeleton<dim, Drag>::solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) {
+  for (int index : nodes) {
+    const auto i = static_cast<std::size_t>(index);
+    for (int a = 0; a < dim; ++a) this->free_[a][i] = this->acceleration_[a][i];
+    if (water.walls.any(i)) {
+      // A wall carries the pressure against it: it would else be shared out between the phases and come back askew
+      // where the skeleton is held along one axis.
+      Vector<dim> force = at<dim>(*water.force, i);
+      water.walls.project(i, force);
+      put<dim>(*water.force, i, force);
+    }
+    Velocities<dim> v = driven(water, i, (*water.mobility)[0][i], dt);
+    if (water.walls.any(i)) {
+      Vector<dim> change{}, relative{};
+      for (int a = 0; a < dim; ++a) change[a] = relative[a] = v.liquid[a] - v.solid[a];
+      water.walls.project(i, relative);
+      for (int a = 0; a < dim; ++a) change[a] = relative[a] - change[a];
+      MovingSkeleton<dim>::change_relative(water, i, change, v);
+    }
+    put<dim>(*water.velocity_new, i, v.liquid);
+    MovingSkeleton<dim>::set_new(i, v.solid, dt);
+  }
 }
 
 template <int dim>

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "mpm/plan/stage_plan.h"
+#include "mpm/skeleton/skeleton_cycle.h"
 #include "mpm/two_velocity/drag.h"
 
 #include <memory>
+#include <vector>
 
 namespace wetfront::mpm {
 
@@ -51,29 +52,33 @@ class RestingSkeleton : public SkeletonAtNodes<dim> {
   Vector<dim> get_new(std::size_t, double) const override { return {}; }
 };
 
-/// Couples to the nodal columns of the elastic skeleton. The liquid adds its pull to the skeleton's force before that
-/// is damped, and overrules the acceleration after the drag is solved.
+/// Couples to the nodal columns of a deforming skeleton, as one of its conditions: the force on both phases is damped,
+/// divided and fixed by the skeleton (a = f/m_s); then the drag divides the momentum between the phases.
 template <int dim>
 class MovingSkeleton : public SkeletonAtNodes<dim> {
  public:
-  explicit MovingSkeleton(StagePlan<dim>& plan);
-
-  /// From the momentum (step I) or the velocity (step III) in the skeleton's nodal column.
-  void read_momentum();
-  void read_velocity();
+  MovingSkeleton(StagePlan<dim>& plan, const SkeletonCycle<dim>& cycle);
 
   Vector<dim> velocity(std::size_t node) const override;
   void change_relative(const TwoVelocityWater<dim>& water, std::size_t node, const Vector<dim>& change,
                        Velocities<dim>& v) const override;
   void set_new(std::size_t node, const Vector<dim>& solid, double dt) override;
   Vector<dim> get_new(std::size_t node, double dt) const override;
+  /// Step II at every node of the body: both velocities, walls, and the skeleton's as its acceleration.
+  virtual void solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) = 0;
+
   Column& force() { return force_; }
+  Column& velocity_column() { return velocity_; }
 
  protected:
-  bool fixed(int axis, std::size_t node) const { return fixed_[static_cast<std::size_t>(axis)][node] != 0; }
+  bool fixed(int axis, std::size_t node) const {
+    const auto& held = cycle_.fixed[static_cast<std::size_t>(axis)];
+    return !held.empty() && held[node] != 0;
+  }
 
-  Column &velocity_, &mass_, &force_, &momentum_, &acceleration_;
-  std::array<std::vector<char>, dim> fixed_;
+  const SkeletonCycle<dim>& cycle_;
+  Column &velocity_, &mass_, &force_, &acceleration_;
+  Column& free_;  ///< f/m_s of the force on both phases, before the drag divides it [m/s2]
 };
 
 /// A moving skeleton with its drag.
@@ -83,6 +88,7 @@ class DraggedSkeleton final : public MovingSkeleton<dim> {
   using MovingSkeleton<dim>::MovingSkeleton;
   Velocities<dim> driven(const TwoVelocityWater<dim>& water, std::size_t node, double mobility,
                          double dt) const override;
+  void solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) override;
 };
 
 }  // namespace wetfront::mpm

@@ -1,5 +1,4 @@
 #include "mpm/laws/soil_water.h"
-#include "mpm/laws/linear_elastic.h"
 #include "mpm/two_velocity/content.h"
 #include "mpm/two_velocity/pressure_operator.h"
 #include "mpm/two_velocity/two_velocity.h"
@@ -20,13 +19,11 @@ constexpr double steps_ahead = 4;
 
 }  // namespace
 
-/// Geometric stiffness of the cells, and how much drag mapping leaves: from the matrices of the cells where points
-/// rest; 4/h^2 (h the smallest altitude, no credit for mapping) where they move.
+/// Geometric stiffness of the cells of a resting body, and how much drag mapping leaves.
 template <int dim>
 void TwoVelocityLiquid<dim>::find_stiffness(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
   for (double size : w.cells.size) w.stiffness.push_back(4 / (size * size));
-  if (moving_ != nullptr) return;
   plan.at_ready([&plan, &w] {
     using Geometry = PressureOperator<dim>;
     Geometry geometry(plan, w);
@@ -96,13 +93,11 @@ void TwoVelocityLiquid<dim>::add_pressure_limit(StagePlan<dim>& plan) {
 
 template <int dim>
 void TwoVelocityLiquid<dim>::add_limits(StagePlan<dim>& plan) {
-  find_stiffness(plan);
   water_->limit_of_soil.assign(plan.problem.soils.size(), std::numeric_limits<double>::infinity());
-  if (plan.stage.liquid == LiquidScheme::explicit_drag)
-    add_pressure_limit<ExplicitDrag>(plan);
+  if (moving_)
+    add_coupled_limit(plan);
   else
-    add_pressure_limit<ImplicitDrag>(plan);
-  if (moving_ != nullptr) add_wave_limit(plan);
+    add_resting_limit(plan);
   plan.add_accuracy_limit("growth", "1.5 x the step before", [this] {
     const double last = (*steps_)[0][0];
     return last > 0 ? growth * last : std::numeric_limits<double>::infinity();
@@ -110,40 +105,29 @@ void TwoVelocityLiquid<dim>::add_limits(StagePlan<dim>& plan) {
   plan.add(Phase::carry, "step length", [this, &plan] { (*steps_)[0][0] = plan.clock.dt; });
 }
 
-/// The undrained wave: skeleton and liquid moving together, stiffened by the liquid; C as above, saturated near p = 0.
 template <int dim>
-void TwoVelocityLiquid<dim>::add_wave_limit(StagePlan<dim>& plan) {
-  TwoVelocityWater<dim>& w = *water_;
-  const double bulk_modulus = plan.problem.water->bulk_modulus;
-  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
-    const Soil& soil = plan.problem.soils[r];
-    with_soil_water(soil, *plan.problem.water, [&](const auto& laws) {
-      const WaterContent law(laws.curve, bulk_modulus);
-      const double modulus = LinearElastic(*soil.elastic).constrained_modulus();
-      const auto of_cell = [&w, laws, law, modulus, solid = soil.grain_density, bulk_modulus](const Block& block) {
-        const std::size_t c = block.cell;
-        const double p = w.cells.pressure[c], pores = w.cells.pores[c] / w.cells.volume[c];
-        const double saturation = laws.saturation(p);
-        // Within a thousandth of the curve's scale of p = 0 a strain of 1e-6 saturates the cell.
-        const double slope = p > -1e-3 * laws.curve.pressure_scale() ? law.saturated() / bulk_modulus : law.slope(p);
-        const double density = (1 - pores) * solid + w.density * w.cells.water[c] / w.cells.volume[c];
-        return w.cells.size[c] / std::sqrt(dim * (modulus + saturation * saturation / (pores * slope)) / density);
-      };
-      plan.add_stability_limit("undrained wave [" + soil.name + "]",
-                               "h/(sqrt(dim) c), c^2 = (E_oed + S^2/C)/((1-n) rho_s + nS rho_l)",
-                               [&points = plan.fields.points, r, of_cell] {
-                                 double least = std::numeric_limits<double>::infinity();
-                                 for (const Block& block : points.blocks(static_cast<int>(r)))
-                                   least = std::min(least, of_cell(block));
-                                 return least;
-                               });
-    });
-  }
+void TwoVelocityLiquid<dim>::add_resting_limit(StagePlan<dim>& plan) {
+  find_stiffness(plan);
+  if (plan.stage.liquid == LiquidScheme::explicit_drag)
+    add_pressure_limit<ExplicitDrag>(plan);
+  else
+    add_pressure_limit<ImplicitDrag>(plan);
+}
+
+/// Skeleton and liquid together (coupled_limit.h).
+template <int dim>
+void TwoVelocityLiquid<dim>::add_coupled_limit(StagePlan<dim>& plan) {
+  for (std::size_t r = 0; r < plan.problem.soils.size(); ++r)
+    plan.add_stability_limit(
+        "skeleton, pressure wave and drag [" + plan.problem.soils[r].name + "]",
+        "1/s with 4 M s^2 + 2 D s - K singular: two degrees of freedom per cell, E_oed, C = nS/K_l + n dS/dp, drag",
+        [this, r] {
+          const double least = moving_->limit(static_cast<int>(r), steps_ahead, growth, (*steps_)[0][0]);
+          return water_->limit_of_soil[r] = least;
+        });
 }
 
 template void TwoVelocityLiquid<2>::add_limits(StagePlan<2>&);
 template void TwoVelocityLiquid<3>::add_limits(StagePlan<3>&);
-template void TwoVelocityLiquid<2>::add_wave_limit(StagePlan<2>&);
-template void TwoVelocityLiquid<3>::add_wave_limit(StagePlan<3>&);
 
 }  // namespace wetfront::mpm

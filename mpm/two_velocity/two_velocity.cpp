@@ -1,8 +1,5 @@
 #include "mpm/two_velocity/two_velocity.h"
 
-#include "mpm/laws/stress_law.h"
-#include "mpm/skeleton/rigid_skeleton.h"
-
 #include <algorithm>
 
 namespace wetfront::mpm {
@@ -35,8 +32,8 @@ template <int dim>
 void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
   const auto& grid = plan.fields.grid;
   auto& points = plan.fields.points;
-  Column &shape = points.columns.at("shape value"), &slope = points.columns.at("shape gradient");
-  const Column &volume = points.columns.at("volume"), &mass = moving_ != nullptr ? points.columns.at("mass") : volume;
+  const Column &shape = points.columns.at("shape value"), &slope = points.columns.at("shape gradient");
+  const Column& volume = points.columns.at("volume");
   TwoVelocityWater<dim>& w = *water_;
   const Vector<dim> weight = liquid_weight(plan);
   w.volume->fill(0);
@@ -44,13 +41,7 @@ void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
   for (const Block& block : points.blocks()) {
     const Soil& soil = plan.problem.soils[static_cast<std::size_t>(grid.region(block.cell))];
     double grains = 0;
-    if (moving_ != nullptr) {
-      fill_stencils<dim>(grid, points, block, shape, slope);
-      for (std::size_t q = block.first; q < block.first + block.count; ++q) grains += mass[0][q] / soil.grain_density;
-    } else {
-      for (std::size_t q = block.first; q < block.first + block.count; ++q)
-        grains += (1 - soil.porosity) * volume[0][q];
-    }
+    for (std::size_t q = block.first; q < block.first + block.count; ++q) grains += (1 - soil.porosity) * volume[0][q];
     w.cells.sum(grid, {volume, shape, slope, weight}, block, grains);
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       const double share = w.cells.share[block.cell][i];
@@ -64,32 +55,33 @@ void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
       for (int a = 0; a < dim; ++a) (*w.offset)[a][i] /= (*w.volume)[0][i];
 }
 
-/// The skeleton as the liquid meets it, compiled for one kind of drag.
-template <int dim>
-template <class Drag>
-void TwoVelocityLiquid<dim>::meet_skeleton(StagePlan<dim>& plan) {
-  if (!plan.problem.soils.front().elastic) {
-    water_->skeleton = std::make_unique<RestingSkeleton<dim, Drag>>();
-    return;
-  }
-  auto skeleton = std::make_unique<DraggedSkeleton<dim, Drag>>(plan);
-  moving_ = skeleton.get();
-  water_->skeleton = std::move(skeleton);
-  water_->pressures_in = water_->conductivities_in = Phase::carry;
-  plan.require_on_points("mass");
-}
-
 template <int dim>
 void TwoVelocityLiquid<dim>::join(StagePlan<dim>& plan) {
   refuse_what_it_cannot_do(plan);
-  if (plan.stage.liquid == LiquidScheme::explicit_drag)
-    meet_skeleton<ExplicitDrag>(plan);
-  else
-    meet_skeleton<ImplicitDrag>(plan);
-  const Column* earlier = plan.fields.points.columns.find("water");
-  const bool fresh = earlier == nullptr || !earlier->allocated();
+  const auto there = [&plan](const char* name) {
+    const Column* earlier = plan.fields.points.columns.find(name);
+    return earlier != nullptr && earlier->allocated();
+  };
+  const bool fresh = !there("liquid velocity");
+  carried_before_ = there("water");
   provide_columns(plan);
   if (fresh) plan.at_entry([this, &plan] { take_over(plan); });
+  if (cycle_ != nullptr)
+    join_moving(plan);
+  else
+    join_resting(plan);
+  add_limits(plan);
+  add_ledger(plan);
+  add_output(plan);
+}
+
+template <int dim>
+void TwoVelocityLiquid<dim>::join_resting(StagePlan<dim>& plan) {
+  if (plan.stage.liquid == LiquidScheme::explicit_drag)
+    water_->skeleton = std::make_unique<RestingSkeleton<dim, ExplicitDrag>>();
+  else
+    water_->skeleton = std::make_unique<RestingSkeleton<dim, ImplicitDrag>>();
+  water_->block_pressure = [this](const Block& block) { return water_->cells.pressure[block.cell]; };
   plan.at_ready([this, &plan] {
     sum_cells(plan);
     if (water_->surface) water_->surface->attach(*water_);
@@ -98,9 +90,6 @@ void TwoVelocityLiquid<dim>::join(StagePlan<dim>& plan) {
   add_momentum(plan);
   add_mass_balance(plan);
   add_state(plan);
-  add_limits(plan);
-  add_ledger(plan);
-  add_output(plan);
   // Measured on the seed column, 80 points in 42 nodes: see README.md.
   plan.expect_cost(2e-6 + 3.5e-7 * static_cast<double>(plan.fields.points.size()));
 }

@@ -66,37 +66,68 @@ template <int dim>
 ImpermeableWalls<dim>::ImpermeableWalls(const StagePlan<dim>& plan, const CutSurface<dim>* surface) {
   const Grid<dim>& grid = plan.fields.grid;
   const auto rained = rain_faces(plan.problem);
-  std::vector<std::vector<Vector<dim>>> groups(grid.node_count());
+  std::vector<Share> shares;
   for (const auto& [face, place] : outer_faces(plan)) {
     if (rained.contains(face)) continue;
     if (surface != nullptr && !surface->wets({face.begin(), face.end()})) continue;
     const Vector<dim> normal = share_of_face(grid, place);
-    for (int node : face) {
-      auto& at_node = groups[static_cast<std::size_t>(node)];
-      const auto near = std::find_if(at_node.begin(), at_node.end(), [&](const Vector<dim>& other) {
+    for (int node : face) shares.emplace_back(node, normal);
+  }
+  gather(grid.node_count(), shares);
+}
+
+template <int dim>
+ImpermeableWalls<dim>::ImpermeableWalls(const Grid<dim>& grid, const Body<dim>& body) {
+  find(grid, body);
+}
+
+template <int dim>
+void ImpermeableWalls<dim>::find(const Grid<dim>& grid, const Body<dim>& body) {
+  std::vector<Share> shares;
+  for (const auto& outer : body.outer()) {
+    if (!outer.rains.empty()) continue;
+    const Vector<dim> normal = share_of_face(grid, {outer.cell, outer.face});
+    for (int local : local_face<dim>(outer.face)) shares.emplace_back(grid.cell_nodes_of(outer.cell)[local], normal);
+  }
+  gather(grid.node_count(), shares);
+}
+
+/// Groups the shares of each node by direction and makes the groups' sums orthonormal.
+template <int dim>
+void ImpermeableWalls<dim>::gather(std::size_t nodes, std::vector<Share>& shares) {
+  std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.first < b.first; });
+  for (const Node& walls : walls_) walls_of_[walls.index] = -1;
+  walls_.clear();
+  walls_of_.resize(nodes, -1);
+  std::vector<Vector<dim>> groups;
+  for (std::size_t k = 0; k < shares.size();) {
+    Node walls;
+    walls.index = static_cast<std::size_t>(shares[k].first);
+    groups.clear();
+    for (; k < shares.size() && static_cast<std::size_t>(shares[k].first) == walls.index; ++k) {
+      const Vector<dim>& normal = shares[k].second;
+      const auto near = std::find_if(groups.begin(), groups.end(), [&](const Vector<dim>& other) {
         return dot<dim>(normal, other) > std::sqrt(0.5 * dot<dim>(normal, normal) * dot<dim>(other, other));
       });
-      if (near == at_node.end())
-        at_node.push_back(normal);
+      if (near == groups.end())
+        groups.push_back(normal);
       else
         for (int a = 0; a < dim; ++a) (*near)[a] += normal[a];
     }
-  }
-  start_.assign(1, 0);
-  for (auto& at_node : groups) {
-    const std::size_t first = directions_.size();
-    for (Vector<dim> d : at_node) {
+    for (Vector<dim> d : groups) {
       const double size = std::sqrt(dot<dim>(d, d));
-      for (std::size_t k = first; k < directions_.size(); ++k) {
-        const double along = dot<dim>(d, directions_[k]);
-        for (int a = 0; a < dim; ++a) d[a] -= along * directions_[k][a];
+      for (int other = 0; other < walls.count; ++other) {
+        const Vector<dim>& known = walls.direction[static_cast<std::size_t>(other)];
+        const double along = dot<dim>(d, known);
+        for (int a = 0; a < dim; ++a) d[a] -= along * known[a];
       }
       const double rest = std::sqrt(dot<dim>(d, d));
-      if (rest < 1e-6 * size) continue;  // already forbidden
+      if (rest < 1e-6 * size || walls.count == dim) continue;  // already forbidden
       for (double& component : d) component /= rest;
-      directions_.push_back(d);
+      walls.direction[static_cast<std::size_t>(walls.count++)] = d;
     }
-    start_.push_back(static_cast<int>(directions_.size()));
+    walls_of_[walls.index] = static_cast<int>(walls_.size());
+    walls_.push_back(walls);
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "mpm/two_velocity/body.h"
 #include "mpm/two_velocity/cut_surface.h"
 
+#include <utility>
 #include <vector>
 
 namespace wetfront::mpm {
@@ -17,22 +19,39 @@ class ImpermeableWalls {
  public:
   /// `surface`: where cells are cut; then a face is a wall only where soil touches the border of the mesh.
   explicit ImpermeableWalls(const StagePlan<dim>& plan, const CutSurface<dim>* surface = nullptr);
+  /// Of a body that moves: its outer faces without rain.
+  ImpermeableWalls(const Grid<dim>& grid, const Body<dim>& body);
+  void find(const Grid<dim>& grid, const Body<dim>& body);
 
   /// Removes the forbidden directions from a vector at a node.
   void project(std::size_t node, Vector<dim>& v) const {
-    for (int k = start_[node]; k < start_[node + 1]; ++k) {
-      const Vector<dim>& d = directions_[static_cast<std::size_t>(k)];
+    if (walls_of_[node] < 0) return;
+    const Node& walls = walls_[static_cast<std::size_t>(walls_of_[node])];
+    for (int k = 0; k < walls.count; ++k) {
+      const Vector<dim>& d = walls.direction[static_cast<std::size_t>(k)];
       double along = 0;
       for (int a = 0; a < dim; ++a) along += v[a] * d[a];
       for (int a = 0; a < dim; ++a) v[a] -= along * d[a];
     }
   }
+  bool any(std::size_t node) const { return walls_of_[node] >= 0; }
   /// No direction is left.
-  bool closed(std::size_t node) const { return start_[node + 1] - start_[node] == dim; }
+  bool closed(std::size_t node) const {
+    return walls_of_[node] >= 0 && walls_[static_cast<std::size_t>(walls_of_[node])].count == dim;
+  }
 
  private:
-  std::vector<int> start_;               ///< per node, into directions_
-  std::vector<Vector<dim>> directions_;  ///< orthonormal at each node
+  struct Node {
+    std::size_t index = 0;
+    int count = 0;
+    std::array<Vector<dim>, dim> direction{};  ///< orthonormal
+  };
+  /// A node and the share of a face there.
+  using Share = std::pair<int, Vector<dim>>;
+  void gather(std::size_t nodes, std::vector<Share>& shares);
+
+  std::vector<int> walls_of_;  ///< per node, into walls_; -1: none
+  std::vector<Node> walls_;
 };
 
 }  // namespace wetfront::mpm

@@ -4,11 +4,15 @@
 #include "mpm/two_velocity/skeleton.h"
 #include "mpm/two_velocity/walls.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace wetfront::mpm {
+
+template <int dim>
+class MovingLiquid;
 
 /// Water of the occupied cells and the integrals over their points that the two-velocity scheme works with.
 /// Everything here is rebuilt from point columns. Volumes of water are at the reference density rho_l [m^dim].
@@ -57,7 +61,9 @@ template <int dim>
 struct TwoVelocityWater {
   explicit TwoVelocityWater(const StagePlan<dim>& plan)
       : density(plan.problem.water->density),
-        surface(plan.problem.surface.empty() ? nullptr : std::make_unique<CutSurface<dim>>(plan)),
+        surface(plan.problem.surface.empty() || plan.problem.soils.front().elastic
+                    ? nullptr
+                    : std::make_unique<CutSurface<dim>>(plan)),
         walls(plan, surface.get()),
         cells(plan.fields.grid) {}
 
@@ -75,6 +81,11 @@ struct TwoVelocityWater {
   ImpermeableWalls<dim> walls;
   TwoVelocityCells<dim> cells;
   std::unique_ptr<SkeletonAtNodes<dim>> skeleton;
+  MovingSkeleton<dim>* moving = nullptr;  ///< the same where it deforms
+  MovingLiquid<dim>* liquid = nullptr;    ///< the liquid of a body that moves
+  const Body<dim>* body = nullptr;        ///< the cells that hold points now, where these change
+  /// p of a block of points [Pa].
+  std::function<double(const Block&)> block_pressure;
   std::vector<double> stiffness;      ///< per cell, w^2 = stiffness nS/(C rho_l) [1/m2] (README.md section 6)
   std::vector<double> limit_of_soil;  ///< the step limit last found, for messages [s]
   /// Nodes and directions in which rain restores the velocity after mapping.
@@ -84,17 +95,19 @@ struct TwoVelocityWater {
   /// their new cells (IX) where they do not.
   Phase pressures_in = Phase::pressure, conductivities_in = Phase::saturation;
 
-  Column* volume = nullptr;         ///< V_i = sum_p V_p N_i [m^dim]
-  Column* content = nullptr;        ///< (nS)_i = sum_p W_p N_i / V_i, the mass m_l/(rho_l V_i) of Eq. 14 [-]
-  Column* velocity = nullptr;       ///< v_l at the start of the step, then the one mapped back (Eq. 14) [m/s]
-  Column* velocity_new = nullptr;   ///< v_l from the momentum balance [m/s]
-  Column* force = nullptr;          ///< F_i [N]
-  Column* mobility = nullptr;       ///< mean k k_rel/mu [m2/(Pa s)]
-  Column* pressure = nullptr;       ///< p_i [Pa], carried
-  Column* flux = nullptr;           ///< w_i = (nS)_i (v_l - v_s) at the end of the step [m/s], carried
-  Column* offset = nullptr;         ///< mean of x_i - centre over the cells of a node [m]
-  Column* cell_mobility = nullptr;  ///< mean over the cells of a node of k k_rel(p_c)/mu [m2/(Pa s)]
-  Column* rain_rate = nullptr;      ///< rain that may reach the node in the coming step [m^dim/s], carried
+  Column* volume = nullptr;          ///< V_i = sum_p V_p N_i [m^dim]
+  Column* content = nullptr;         ///< (nS)_i = sum_p W_p N_i / V_i, the mass m_l/(rho_l V_i) of Eq. 14 [-]
+  Column* velocity = nullptr;        ///< v_l at the start of the step, then the one mapped back (Eq. 14) [m/s]
+  Column* velocity_new = nullptr;    ///< v_l from the momentum balance [m/s]
+  Column* force = nullptr;           ///< F_i [N]
+  Column* mobility = nullptr;        ///< mean k k_rel/mu [m2/(Pa s)]
+  Column* pressure = nullptr;        ///< p_i [Pa], carried
+  Column* flux = nullptr;            ///< w_i = (nS)_i (v_l - v_s) at the end of the step [m/s], carried
+  Column* offset = nullptr;          ///< mean of x_i - centre over the cells of a node [m]
+  Column* cell_mobility = nullptr;   ///< mean over the cells of a node of k k_rel(p_c)/mu [m2/(Pa s)]
+  Column* flow_volume = nullptr;     ///< of a moving body, V_i of F_i [m^dim]
+  Column* solid_velocity = nullptr;  ///< of a moving body, v_s at the end of the step [m/s], carried
+  Column* rain_rate = nullptr;       ///< rain that may reach the node in the coming step [m^dim/s], carried
 };
 
 }  // namespace wetfront::mpm

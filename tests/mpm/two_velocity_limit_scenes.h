@@ -73,6 +73,17 @@ struct Trial {
   double dt;            ///< of the last step [s]
 };
 
+/// sigma' = S p where the skeleton deforms: no total stress anywhere, so that a uniform body rests whatever its shape.
+inline void balance_by_effective_stress(const Problem<2>& problem, State& state) {
+  const auto stress = state.fields.find("point.stress");
+  if (stress == state.fields.end()) return;
+  const auto &water = state.fields.at("point.water"), &volume = state.fields.at("point.volume");
+  const double p = problem.initial_pressure[0], c = 1 + p / problem.water->bulk_modulus;
+  for (std::size_t q = 0; q < water.size(); ++q)
+    for (std::size_t k = 0; k < 3; ++k)  // xx, yy, zz
+      stress->second[k * water.size() + q] = water[q] / (problem.soils[0].porosity * volume[q]) / c * p;
+}
+
 /// Runs `steps` steps at `factor` times the formula's limit.
 inline Trial run_at(Problem<2> problem, double factor, int steps) {
   problem.stages[0].step_safety = factor;
@@ -96,6 +107,7 @@ inline Trial run_at(Problem<2> problem, double factor, int steps) {
     const double change = part(random);
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) water[q++] *= 1 + change;
   }
+  balance_by_effective_stress(problem, state);
   const double before = disturbance(water);
   // The guard of runs (mpm/record/run_guard.h) knows initial heads, not disturbances: give it heads to go by.
   problem.initial_pressure[0] += 1e5;

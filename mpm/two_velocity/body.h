@@ -1,0 +1,60 @@
+#pragma once
+
+#include "mpm/boundary/faces.h"
+#include "mpm/plan/stage_plan.h"
+
+#include <vector>
+
+namespace wetfront::mpm {
+
+/// The cells that hold points now, and the border of their union: what a moving body shows to the liquid. A function
+/// of the occupied cells alone, found anew when they change, so that a continued run finds the same.
+///
+/// On the outer faces water passes as the rain says, and not at all where there is none (README.md section 5c).
+template <int dim>
+class Body {
+ public:
+  struct OuterFace {
+    std::size_t cell = 0;
+    int face = 0;
+    bool border = false;     ///< on the border of the mesh
+    std::vector<int> rains;  ///< indices of the water boundaries that rain on it; empty: a wall
+  };
+  explicit Body(const StagePlan<dim>& plan);
+
+  /// Looks at the blocks; true when other cells hold points than before.
+  bool update();
+  const std::vector<OuterFace>& outer() const { return outer_; }
+  const std::vector<std::size_t>& cells() const { return cells_; }
+  /// Nodes of the occupied cells, ascending.
+  const std::vector<int>& nodes() const { return nodes_; }
+  /// Occupied cells with an outer face: they may be filled in part.
+  const std::vector<std::size_t>& surface_cells() const { return surface_cells_; }
+  bool at_surface(std::size_t cell) const { return at_surface_[cell] == surface_itself; }
+  /// A surface cell that borders empty space or is rained upon; others merely lie at a wall of the mesh.
+  bool is_open(std::size_t cell) const { return open_[cell] != 0; }
+  /// Surface cells and the occupied cells across their faces: those that slivers concern.
+  const std::vector<std::size_t>& near_surface() const { return near_; }
+  bool is_near_surface(std::size_t cell) const { return at_surface_[cell] != 0; }
+  const Faces<dim>& faces() const { return faces_; }
+  bool occupied(int cell) const { return cell >= 0 && occupied_[static_cast<std::size_t>(cell)] != 0; }
+
+ private:
+  static constexpr char next_to_surface = 1, surface_itself = 2;
+  void find_outer();
+  void find_surface();
+  void rain_on(OuterFace& outer) const;
+  void shade();
+
+  const StagePlan<dim>& plan_;
+  Faces<dim> faces_;
+  std::vector<int> rain_, side_of_rain_;  ///< water boundaries that are rain; their side, -1: the free surface
+  std::vector<char> seeps_;               ///< of each rain: it never falls, a seepage face
+  Vector<dim> up_{};
+  std::vector<std::size_t> of_blocks_, cells_, surface_cells_, near_;
+  std::vector<char> occupied_, at_surface_, open_, touched_;
+  std::vector<int> nodes_;
+  std::vector<OuterFace> outer_;
+};
+
+}  // namespace wetfront::mpm

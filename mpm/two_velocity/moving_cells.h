@@ -1,0 +1,70 @@
+#pragma once
+
+#include "mpm/laws/tabulated.h"
+#include "mpm/two_velocity/body.h"
+#include "mpm/two_velocity/content_table.h"
+#include "mpm/two_velocity/lane_cell.h"
+
+#include <vector>
+
+namespace wetfront::mpm {
+
+/// The laws of a soil as the kernels of a moving body evaluate them: by tables, of one type for all soils.
+struct LiquidLaws {
+  TabulatedContent content;
+  TabulatedPermeability permeability;
+  double saturated_mobility;  ///< k/mu [m2/(Pa s)]
+  double grain_density;       ///< kg/m3
+  double pressure_scale;      ///< Pa, of the retention curve
+
+  double mobility(double p) const { return saturated_mobility * permeability.at(-p).value; }
+};
+
+/// What a block of points, those of one soil in one cell, holds of the liquid.
+template <int dim>
+struct LiquidBlock {
+  double volume = 0;                                ///< sum_p V_p [m^dim]
+  double pores = 0;                                 ///< volume less grains [m^dim]
+  double water = 0;                                 ///< sum_p W_p [m^dim]
+  double pressure = 0;                              ///< e^-1(water/pores) [Pa]
+  double mobility = 0;                              ///< k k_rel(p)/mu [m2/(Pa s)]
+  double saturation = 0;                            ///< S [-]
+  double content = 0;                               ///< water/pores of the block, or of its group [-]
+  double fill = 1;                                  ///< volume over that of the cell; of a group, over its host's [-]
+  int group = -1;                                   ///< LiquidGroup; -1: none
+  double part = 1;                                  ///< of the volume of all points of its cell [-]
+  Vector<dim> centre{};                             ///< sum_p V_p x_p / volume [m]
+  std::array<Vector<dim>, cell_nodes<dim>> push{};  ///< sum_p V_p grad N_i [m^(dim-1)]
+};
+
+/// A cell at the surface that is hardly filled shares one pressure with a fuller cell beside it: what flows through its
+/// faces is large against what it stores, and its own pressure would ask for steps as short as it is thin.
+struct LiquidGroup {
+  std::vector<std::size_t> blocks;  ///< by their places, the host first
+  double volume = 0;                ///< m^dim
+};
+
+/// Sums over the points around a node, one after the other in memory.
+template <int dim>
+struct LiquidNode {
+  double volume = 0;       ///< sum_p V_p N_i [m^dim]
+  double water = 0;        ///< sum_p W_p N_i [m^dim]
+  Vector<dim> momentum{};  ///< sum_p W_p v_l N_i
+  double pressure = 0;     ///< sum of share * p
+  Vector<dim> centre{};    ///< sum of share * x_c
+  double mobility = 0;     ///< sum of share * K(p_c)
+};
+
+/// Per cell what does not depend on the points.
+template <int dim>
+struct CellGeometry {
+  std::array<Vector<dim>, cell_nodes<dim>> faces{};  ///< integral of grad N_i [m^(dim-1)]
+  std::array<double, cell_nodes<dim>> extent{};      ///< integral of N_i [m^dim]
+  double volume = 0;                                 ///< m^dim
+  double stiffness = 0;                              ///< 4/h^2, h the smallest altitude [1/m2]
+};
+
+template <int dim>
+std::vector<CellGeometry<dim>> cell_geometry(const Grid<dim>& grid);
+
+}  // namespace wetfront::mpm

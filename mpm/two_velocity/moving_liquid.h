@@ -1,0 +1,99 @@
+#pragma once
+
+#include "mpm/two_velocity/blow_up.h"
+#include "mpm/two_velocity/coupled_limit.h"
+#include "mpm/two_velocity/moving_cells.h"
+#include "mpm/two_velocity/water.h"
+
+namespace wetfront::mpm {
+
+/// The two-velocity liquid in a skeleton that moves: the same scheme as at rest, with sums over points made anew in
+/// every step, fused into few passes (README.md section 3b). Acts on the nodes of the skeleton as one of its
+/// conditions.
+template <int dim>
+class MovingLiquid {
+ public:
+  struct PointColumns {
+    Column *position, *volume, *mass, *water, *velocity;
+  };
+  MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& water, const PointColumns& points, Vector<dim> weight);
+
+  /// Every sum over points, pressures and conductivities, from carried columns alone; `moved` before another body.
+  void sum();
+  void begin_body();  ///< for the cells that hold points now, without a look whether they are others
+  void add_force();
+  void solve(double dt);
+  /// Through walls the liquid moves with the skeleton, whatever other conditions have made of that.
+  void follow_walls(double dt);
+  void points(double dt);
+  void relative_velocity();
+  void balance(double dt, bool as_printed);
+  /// The longest stable step of a soil's blocks [s].
+  double limit(int soil, double steps_ahead, double growth, double last_step);
+  void at_other_body(std::function<void()> body) { listeners_.push_back(std::move(body)); }
+
+  const Body<dim>& body() const { return body_; }
+  const LiquidBlock<dim>& block(const Block& block) const { return blocks_[place(block)]; }
+  double stored() const { return stored_; }  ///< sum of pores e(p) [m^dim]
+  double held() const { return held_; }      ///< sum of W_p [m^dim]
+
+ private:
+  /// Blocks are kept by soil, then by cell.
+  std::size_t place(std::size_t cell, int soil) const {
+    return static_cast<std::size_t>(soil) * geometry_.size() + cell;
+  }
+  std::size_t place(const Block& block) const { return place(block.cell, block.soil); }
+  std::size_t cell_of(std::size_t place) const { return place % geometry_.size(); }
+  const LiquidLaws& laws_of(std::size_t place) const { return laws_[place / geometry_.size()]; }
+  template <class Body>
+  void near_surface(const Body& body) const;
+  void sum_block(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws);
+  void push_of_crooked_cell(const Block& block, const LinearShape<dim>& shape, LiquidBlock<dim>& sums) const;
+  double fill_of(std::size_t cell) const;
+  void find_push(const Block& block, const LinearShape<dim>& shape, const double (&share)[cell_nodes<dim>],
+                 LiquidBlock<dim>& sums) const;
+  double pressure_at(const LiquidLaws& laws, double content, const Vector<dim>& centre, std::size_t cell) const;
+  void take_pressure(std::size_t place, double pressure, double content, const LiquidLaws& laws);
+  void group_slivers();
+  void share_pressures();
+  double outflow(std::size_t cell, const std::array<double*, dim>& flux) const;
+  void finish_nodes();
+  void add_flow_volume();
+  void find_parts();
+  void open_faces();
+  void set_faces(std::size_t cell, bool open);
+
+  StagePlan<dim>& plan_;
+  TwoVelocityWater<dim>& w_;
+  PointColumns points_;
+  Vector<dim> weight_;
+  Body<dim> body_;
+  std::vector<CellGeometry<dim>> geometry_;
+  std::vector<std::size_t> narrowed_;  ///< cells whose faces are open in part
+  std::vector<LiquidLaws> laws_;
+  std::vector<LiquidBlock<dim>> blocks_;
+  std::vector<std::array<double, cell_nodes<dim>>> shares_;  ///< sum_p V_p N_i of cells near the surface, by place
+  std::vector<LiquidGroup> groups_;
+  std::size_t group_count_ = 0;
+  std::vector<LiquidNode<dim>> nodes_;
+  std::vector<Vector<dim>> back_;  ///< momentum mapped back
+  std::vector<double> drag_;       ///< r of the nodes [1/s]
+  std::vector<double> full_;       ///< integral of N_i over the inner cells of the body [m^dim]
+  std::vector<double> all_;        ///< the same over all its cells [m^dim]
+  struct Hanging {
+    int node = 0;
+    Vector<dim> force{};
+  };
+  std::vector<Hanging> hanging_;  ///< rho g.x_i times the open area of outer nodes [N]
+  struct Rained {
+    int node = 0;
+    std::size_t cell = 0;
+    Vector<dim> area{};
+    double height = 0;
+  };
+  std::vector<Rained> rained_;
+  std::vector<std::function<void()>> listeners_;
+  double stored_ = 0, held_ = 0;
+};
+
+}  // namespace wetfront::mpm
