@@ -5,7 +5,7 @@ JOBS := $(shell nproc)
 SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml)) verification/cases/levee/scene.toml
 SUITES := reference hydraulics hard
 
-.PHONY: report test build program deps format clean
+.PHONY: report test bench build program deps format clean
 
 report: program  ## the main job: both solvers judged by their suites, then the scenes compared -> out/index.html
 	status=0; \
@@ -15,6 +15,10 @@ report: program  ## the main job: both solvers judged by their suites, then the 
 
 test: build  ## the everyday tests
 	ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -LE heavy
+
+bench: $(BUILD)/build.ninja  ## speed of the kernels -> build/release/bench.json
+	cmake --build $(BUILD) --target wetfront_bench
+	$(BUILD)/wetfront_bench --benchmark_out=$(BUILD)/bench.json --benchmark_out_format=json
 
 build: $(BUILD)/build.ninja  ## the program and its tests
 	cmake --build $(BUILD)

@@ -1,5 +1,7 @@
 #include "mpm/grid/material_points.h"
 
+#include "mpm/plan/long_zeros.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -102,7 +104,7 @@ void MaterialPoints<dim>::carry_over(std::size_t slots, Column& scratch) {
   const bool longer = slots != this->slots();
   for (const auto& column : columns.all()) {
     const int components = column->allocated() ? column->spec().components : 0;
-    std::vector<double> fresh(longer ? slots * static_cast<std::size_t>(components) : 0);
+    std::vector<double> fresh = long_zeros(longer ? slots * static_cast<std::size_t>(components) : 0);
     for (int c = 0; carried(*column) && c < components; ++c) {
       double* to = longer ? fresh.data() + static_cast<std::size_t>(c) * slots : scratch[0];
       if (!longer) std::fill_n(to, slots, 0.0);
@@ -145,9 +147,10 @@ template <int dim>
 void MaterialPoints<dim>::clear_slots(std::size_t first, std::size_t last, std::size_t like) {
   for (const auto& column : columns.all()) {
     if (!carried(*column)) continue;
-    const bool position = column->spec().name == "position";
-    for (int c = 0; c < column->spec().components; ++c)
-      std::fill((*column)[c] + first, (*column)[c] + last, position ? (*column)[c][like] : 0.0);
+    const bool position = column == columns.all().front();
+    double* values = (*column)[0];
+    for (int c = 0; c < column->spec().components; ++c, values += column->size())
+      for (std::size_t slot = first; slot < last; ++slot) values[slot] = position ? values[like] : 0.0;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "mpm/plan/column.h"
 
+#include "mpm/plan/long_zeros.h"
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -37,14 +39,14 @@ Column& ColumnSet::require(const std::string& name) {
 void ColumnSet::allocate() {
   for (auto& column : columns_)
     if (!column->provided_by_.empty() && column->values_.empty())
-      column->values_.assign(size_ * static_cast<std::size_t>(column->spec_.components), 0.0);
+      column->values_ = long_zeros(size_ * static_cast<std::size_t>(column->spec_.components));
 }
 
 void ColumnSet::resize(std::size_t size) {
   size_ = size;
   for (auto& column : columns_) {
     const auto components = column->allocated() ? static_cast<std::size_t>(column->spec_.components) : 0;
-    column->replace(std::vector<double>(size * components), size);
+    column->replace(long_zeros(size * components), size);
   }
 }
 

@@ -43,8 +43,11 @@ void refuse_what_is_not_there_yet(const StagePlan<dim>& plan) {
     throw CannotPlan(where +
                      "updates stress first, in a skeleton that goes from equilibrium to equilibrium (where what comes "
                      "first in a cycle means nothing). Use musl or usl");
-  if (problem.skeleton.shape != ShapeFunctions::linear)
-    throw CannotPlan(where + "moves its skeleton by splines (they are not there yet). Use linear shape functions");
+  if (problem.skeleton.shape != ShapeFunctions::linear &&
+      (plan.stage.liquid || plan.stage.motion == SkeletonMotion::quasi_static))
+    throw CannotPlan(where +
+                     "moves its skeleton by splines, with liquid or quasi-statically (water and elastic corrections "
+                     "live on the nodes of the mesh, splines on others). Use linear shape functions");
   if (problem.skeleton.update == StressUpdate::usf && plan.stage.liquid)
     throw CannotPlan(where +
                      "updates stress first, with liquid (which reads momenta where velocities are by then). "

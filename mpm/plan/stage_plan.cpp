@@ -1,6 +1,7 @@
 #include "mpm/plan/stage_plan.h"
 
 #include "mpm/grid/seeding.h"
+#include "mpm/grid/spline_grid.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +12,11 @@ template <int dim>
 Fields<dim>::Fields(const Problem<dim>& problem)
     : grid(problem.mesh), points(seed<dim>(grid, problem.points_per_cell, problem.surface, problem.empty_cells)) {
   const auto deforms = [](const Soil& soil) { return soil.elastic.has_value(); };
-  if (std::any_of(problem.soils.begin(), problem.soils.end(), deforms)) points.make_room(grid);
+  if (std::none_of(problem.soils.begin(), problem.soils.end(), deforms)) return;
+  points.make_room(grid);
+  // Splines have nodes of their own: columns of nodes are then as long as there are splines.
+  if (problem.skeleton.shape == ShapeFunctions::quadratic_spline)
+    grid.columns.resize(SplineGrid<dim>(problem.mesh).node_count());
 }
 
 template <int dim>

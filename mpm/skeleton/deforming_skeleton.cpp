@@ -1,6 +1,7 @@
 #include "mpm/skeleton/deforming_skeleton.h"
 
 #include "mpm/boundary/boundary_side.h"
+#include "mpm/skeleton/spline_shape.h"
 
 #include <cmath>
 #include <limits>
@@ -72,13 +73,21 @@ void DeformingSkeleton<dim>::begin_points(StagePlan<dim>& plan) {
 template <int dim>
 void DeformingSkeleton<dim>::find_fixed(StagePlan<dim>& plan) {
   for (auto& axis : cycle_->fixed) axis.assign(plan.fields.grid.columns.size(), 0);
-  for (const Fixity& fixity : plan.problem.fixities)
-    for (const auto& node : boundary_side(plan, fixity.side, "a fixity", fixity.origin).nodes)
-      for (std::size_t a = 0; a < dim; ++a) {
-        char& held = cycle_->fixed[a][static_cast<std::size_t>(node.index)];
-        if (fixity.fixed[a] && !held) fixed_[a].push_back(node.index);
-        held = held || fixity.fixed[a];
-      }
+  const auto fix = [this](const Fixity& fixity, int node) {
+    for (std::size_t a = 0; a < dim; ++a) {
+      char& held = cycle_->fixed[a][static_cast<std::size_t>(node)];
+      if (fixity.fixed[a] && !held) fixed_[a].push_back(node);
+      held = held || fixity.fixed[a];
+    }
+  };
+  for (const Fixity& fixity : plan.problem.fixities) {
+    // Also where splines move the skeleton: it is the one who says that there is no such side.
+    const auto side = boundary_side(plan, fixity.side, "a fixity", fixity.origin);
+    if (splines_)
+      for (const auto& node : splines_->side(plan.problem.mesh, fixity.side)) fix(fixity, node.index);
+    else
+      for (const auto& node : side.nodes) fix(fixity, node.index);
+  }
 }
 
 template <int dim>
@@ -96,11 +105,14 @@ void DeformingSkeleton<dim>::choose_laws(StagePlan<dim>& plan) {
     }
     return columns;
   };
-  const SoilMotionSetting<dim> setting{grid, c_, altitude_, plan.problem.skeleton.shape, memory};
+  const SoilMotionSetting<dim> setting{c_, altitude_, memory};
   for (const Soil& soil : plan.problem.soils) {
     if (soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law))
       c_.suction = &plan.require_on_points("suction");
-    soils_.push_back(make_soil_motion<dim>(soil, setting));
+    if (splines_)
+      soils_.push_back(make_soil_motion<dim>(soil, SplineShape<dim>(*splines_), setting));
+    else
+      soils_.push_back(make_soil_motion<dim>(soil, LinearShape<dim>(grid), setting));
   }
 }
 
@@ -157,13 +169,16 @@ void DeformingSkeleton<dim>::tell(StagePlan<dim>& plan) {
     out.node_displacement.resize(plan.fields.grid.node_count());
     for (std::size_t i = 0; i < out.node_displacement.size(); ++i)
       for (int a = 0; a < dim; ++a)
-        out.node_displacement[i][static_cast<std::size_t>(a)] = (*c_.node_displacement)[a][i];
+        out.node_displacement[i][static_cast<std::size_t>(a)] =
+            splines_ ? splines_->at_mesh_node(i, (*c_.node_displacement)[a]) : (*c_.node_displacement)[a][i];
   });
 }
 
 template <int dim>
 void DeformingSkeleton<dim>::join(StagePlan<dim>& plan) {
   plan_ = &plan;
+  if (plan.problem.skeleton.shape == ShapeFunctions::quadratic_spline)
+    splines_ = std::make_unique<SplineGrid<dim>>(plan.problem.mesh);
   provide_columns(plan);
   find_fixed(plan);
   choose_laws(plan);
@@ -171,9 +186,14 @@ void DeformingSkeleton<dim>::join(StagePlan<dim>& plan) {
   const Column* gravity = plan.fields.run.find("gravity");
   if (gravity != nullptr && !gravity->provided_by().empty()) gravity_ = gravity;
   const auto& grid = plan.fields.grid;
-  chunks_ = std::make_unique<Chunks<dim>>(grid.cell_count(), grid.node_count(), [&grid](std::size_t cell) {
-    return std::vector<int>(grid.cell_nodes_of(cell), grid.cell_nodes_of(cell) + cell_nodes<dim>);
+  chunks_ = std::make_unique<Chunks<dim>>(grid.cell_count(), grid.columns.size(), [this, &grid](std::size_t cell) {
+    std::vector<int> nodes(grid.cell_nodes_of(cell), grid.cell_nodes_of(cell) + cell_nodes<dim>);
+    if (!splines_) return nodes;
+    nodes.resize(SplineGrid<dim>::nodes);
+    splines_->nodes_of(cell, nodes.data());
+    return nodes;
   });
+  team_ = std::make_unique<Team>(plan.problem.threads);
   active_ = std::make_unique<ActiveNodes>(grid.columns.size());
   cycle_->active = active_.get();
   migration_->prepare(chunks_->size());

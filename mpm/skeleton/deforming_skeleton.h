@@ -3,6 +3,8 @@
 #include "mpm/grid/active_nodes.h"
 #include "mpm/grid/chunks.h"
 #include "mpm/grid/migration.h"
+#include "mpm/grid/spline_grid.h"
+#include "mpm/plan/team.h"
 #include "mpm/skeleton/skeleton_columns.h"
 #include "mpm/skeleton/skeleton_cycle.h"
 #include "mpm/skeleton/soil_motion.h"
@@ -46,6 +48,11 @@ class DeformingSkeleton : public Effect<dim> {
   void find_rates();
   void keep_rates();
   void hold_fixed(Column& vector) const;
+  void find_light();
+  /// Share of dt a_i in the velocities that strain points where these are not mapped back (USL, the gradients of APIC):
+  /// a node that a point has only just reached has a force but hardly a mass, f/m there has no bound. Points take the
+  /// whole of the accelerations all the same, so momentum is kept.
+  double strained(std::size_t node) const { return std::min(1.0, (*c_.node_mass)[0][node] / light_); }
 
   StagePlan<dim>* plan_ = nullptr;
   std::shared_ptr<SkeletonCycle<dim>> cycle_;
@@ -57,9 +64,12 @@ class DeformingSkeleton : public Effect<dim> {
   std::vector<std::unique_ptr<SoilMotion<dim>>> soils_;
   std::unique_ptr<Migration<dim>> migration_;
   std::unique_ptr<Chunks<dim>> chunks_;
+  std::unique_ptr<SplineGrid<dim>> splines_;  ///< where they move the skeleton; null: linear functions
+  std::unique_ptr<Team> team_;
   std::unique_ptr<ActiveNodes> active_;
   std::vector<double> altitude_;     ///< per cell [m]
   std::vector<MoveFindings> found_;  ///< per soil and chunk
+  double light_ = 0;                 ///< a tenth of the heaviest node [kg]
   long version_ = -1;                ///< of the points' cells when chunks and active nodes were found
 };
 

@@ -48,12 +48,13 @@ class LinearShape {
   }
 
   [[gnu::always_inline]] Place local(const Place& x) const {
-    Place u;
-    for (int b = 0; b < dim; ++b) {
-      u[b] = Lanes(0.5);
-      for (int a = 0; a < dim; ++a) u[b] += (x[a] - centre_[a]) * inverse_[b][a];
-    }
-    if (!affine_) crooked_local(x, u);
+    Place arm, u;
+    each<dim>([&](auto a) __attribute__((always_inline)) { arm[a] = x[a] - centre_[a]; });
+    each<dim>([&](auto b) __attribute__((always_inline)) {
+      u[b] = arm[0] * inverse_[b][0] + 0.5;
+      for (int a = 1; a < dim; ++a) u[b] += arm[a] * inverse_[b][a];
+    });
+    if (!affine_) u = crooked_local(x, u);
     return u;
   }
   [[gnu::always_inline]] LaneMask outside(const Place& x) const {
@@ -72,9 +73,10 @@ class LinearShape {
     at.local = local(x);
     set_values(at);
     set_slopes(at);
-    for (int b = 0; b < dim; ++b)
+    each<dim>([&](auto b) __attribute__((always_inline)) {
       for (int a = 0; a < dim; ++a) at.inverse[b][a] = Lanes(inverse_[b][a]);
-    if (!affine_) crooked_inverse(at);
+    });
+    if (!affine_) at.inverse = crooked_inverse(at.slope);
   }
   /// Place of node i less the points' [m], for affine velocities.
   [[gnu::always_inline]] Lanes arm(int i, int axis, const Place& x, const Stencil&) const {
@@ -86,41 +88,48 @@ class LinearShape {
 
   [[gnu::always_inline]] void set_values(Stencil& at) const {
     std::array<Lanes, dim> other;
-    for (int a = 0; a < dim; ++a) other[a] = 1.0 - at.local[a];
-    for (int i = 0; i < nodes; ++i) {
+    each<dim>([&](auto a) __attribute__((always_inline)) { other[a] = 1.0 - at.local[a]; });
+    each<nodes>([&](auto i) __attribute__((always_inline)) {
       at.value[i] = upper(i, 0) ? at.local[0] : other[0];
-      for (int a = 1; a < dim; ++a) at.value[i] *= upper(i, a) ? at.local[a] : other[a];
-    }
+      each<dim - 1>([&](auto b) __attribute__((always_inline)) {
+        at.value[i] *= upper(i, b + 1) ? at.local[b + 1] : other[b + 1];
+      });
+    });
   }
   [[gnu::always_inline]] void set_slopes(Stencil& at) const {
     std::array<Lanes, dim> other;
-    for (int a = 0; a < dim; ++a) other[a] = 1.0 - at.local[a];
-    const auto factor = [&](int i, int a) { return upper(i, a) ? at.local[a] : other[a]; };
-    for (int i = 0; i < nodes; ++i)
-      for (int b = 0; b < dim; ++b) {
+    each<dim>([&](auto a) __attribute__((always_inline)) { other[a] = 1.0 - at.local[a]; });
+    const auto factor = [&](int i, int a) __attribute__((always_inline)) {
+      return upper(i, a) ? at.local[a] : other[a];
+    };
+    each<nodes>([&](auto i) __attribute__((always_inline)) {
+      each<dim>([&](auto b) __attribute__((always_inline)) {
         Lanes product = factor(i, (b + 1) % dim);
         if constexpr (dim == 3) product *= factor(i, (b + 2) % dim);
         at.slope[i][b] = upper(i, b) ? product : -product;
-      }
+      });
+    });
   }
-  /// J[a][b] = dx_a/du_b of the slopes; its inverse into at.inverse.
-  void crooked_inverse(Stencil& at) const {
-    std::array<std::array<Lanes, dim>, dim> jacobian{};
+  using Matrix = std::array<std::array<Lanes, dim>, dim>;
+  /// The inverse of J[a][b] = dx_a/du_b. (What crooked cells need is called, not inlined, and passed by value: the
+  /// affine path keeps its numbers in registers.)
+  [[gnu::noinline]] Matrix crooked_inverse(std::array<std::array<Lanes, dim>, nodes> slope) const {
+    Matrix jacobian{};
     for (int i = 0; i < nodes; ++i)
       for (int a = 0; a < dim; ++a)
-        for (int b = 0; b < dim; ++b) jacobian[a][b] += grid_.node(node_[i])[a] * at.slope[i][b];
-    invert(jacobian, at.inverse);
+        for (int b = 0; b < dim; ++b) jacobian[a][b] += grid_.node(node_[i])[a] * slope[i][b];
+    return inverse_of(jacobian);
   }
   /// Newton's method from the affine guess; quadratic, a convex cell never needs 20 steps. Lanes far outside (dead
   /// slots, points about to be held) are kept within three cells.
-  void crooked_local(const Place& x, Place& u) const {
+  [[gnu::noinline]] Place crooked_local(Place x, Place u) const {
     Stencil at;
     for (int iteration = 0; iteration < 20; ++iteration) {
       for (Lanes& c : u) c = max(min(c, Lanes(2.0)), Lanes(-1.0));
       at.local = u;
       set_values(at);
       set_slopes(at);
-      crooked_inverse(at);
+      at.inverse = crooked_inverse(at.slope);
       Place miss = x;
       for (int i = 0; i < nodes; ++i)
         for (int a = 0; a < dim; ++a) miss[a] -= at.value[i] * grid_.node(node_[i])[a];
@@ -133,8 +142,10 @@ class LinearShape {
       }
       if (!any(moving)) break;
     }
+    return u;
   }
-  static void invert(const std::array<std::array<Lanes, dim>, dim>& m, std::array<std::array<Lanes, dim>, dim>& out) {
+  static Matrix inverse_of(const Matrix& m) {
+    Matrix out;
     if constexpr (dim == 2) {
       const Lanes scale = 1.0 / (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
       out = {{{m[1][1] * scale, -m[0][1] * scale}, {-m[1][0] * scale, m[0][0] * scale}}};
@@ -147,6 +158,7 @@ class LinearShape {
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) out[c][r] = cofactor(r, c) * scale;
     }
+    return out;
   }
   /// Integral of dN_i/dx over the volume, two Gauss points per axis (exact in the plane).
   void crooked_mean(std::array<Vector<dim>, nodes>& mean) const {

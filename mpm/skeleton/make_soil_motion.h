@@ -3,14 +3,15 @@
 #include "mpm/laws/stress_laws.h"
 #include "mpm/skeleton/soil_motion.h"
 
-/// Instantiated in one file per dimension: seven laws in lanes take a compiler a while.
+/// Instantiated in one file per dimension and shape: seven laws in lanes take a compiler a while.
 namespace wetfront::mpm {
 
-template <int dim>
-std::unique_ptr<SoilMotion<dim>> make_soil_motion(const Soil& soil, const SoilMotionSetting<dim>& setting) {
+template <int dim, class Shape>
+std::unique_ptr<SoilMotion<dim>> make_soil_motion(const Soil& soil, const Shape& shape,
+                                                  const SoilMotionSetting<dim>& setting) {
   return with_stress_law(soil, [&](const auto& law) -> std::unique_ptr<SoilMotion<dim>> {
     using Law = std::decay_t<decltype(law)>;
-    return std::make_unique<LawMotion<dim, LinearShape<dim>, Law>>(LinearShape<dim>(setting.grid), setting, law);
+    return std::make_unique<LawMotion<dim, Shape, Law>>(shape, setting, law);
   });
 }
 

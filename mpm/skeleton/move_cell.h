@@ -36,21 +36,23 @@ class MoveCell {
 
   MoveCell(const Shape& shape, const SkeletonColumns& columns, const std::vector<MemoryColumn>& memory, const Law& law,
            MoveParts parts)
-      : shape_(shape), c_(columns), memory_(memory), law_(law), parts_(parts) {}
+      : shape_(shape), point_(columns), node_(columns), memory_(memory), law_(law), parts_(parts) {}
 
   /// `size` is the cell's smallest altitude [m].
   void operator()(const Block& block, double size, MoveFindings& found) {
     shape_.enter(block);
     std::array<std::array<double, nodes>, dim> step;
-    for (int a = 0; a < dim; ++a)
-      for (int i = 0; i < nodes; ++i) step[a][i] = parts_.dt * (*c_.node_velocity)[a][shape_.node(i)];
+    each<dim>([&](auto a) __attribute__((always_inline)) {
+      each<nodes>([&](auto i)
+                      __attribute__((always_inline)) { step[a][i] = parts_.dt * node_.velocity[a][shape_.node(i)]; });
+    });
     const double dilation = parts_.strain && parts_.b_bar ? mean_dilation(step) : 0;
     const Lanes rate(1 / (size * size));
     for (std::size_t k = 0; k < block.count; k += lane_count) {
       const std::size_t p = block.first + k;
       const LaneMask live = live_lanes(block.count - k);
       std::array<Lanes, dim> x;
-      for (int a = 0; a < dim; ++a) x[a] = load((*c_.position)[a] + p);
+      each<dim>([&](auto a) __attribute__((always_inline)) { x[a] = load(point_.position[a] + p); });
       typename Shape::Stencil at;
       shape_.all(x, at);
       if (parts_.strain) {
@@ -59,14 +61,14 @@ class MoveCell {
       }
       if (parts_.move) {
         Lanes square(0.0);
-        for (int a = 0; a < dim; ++a) {
+        each<dim>([&](auto a) __attribute__((always_inline)) {
           Lanes way = at.value[0] * step[a][0];
-          for (int i = 1; i < nodes; ++i) way += at.value[i] * step[a][i];
+          each<nodes - 1>([&](auto i) __attribute__((always_inline)) { way += at.value[i + 1] * step[a][i + 1]; });
           x[a] = select(live, x[a] + way, x[a]);
-          store(x[a], (*c_.position)[a] + p);
-          const Lanes v = load((*c_.velocity)[a] + p);
+          store(x[a], point_.position[a] + p);
+          const Lanes v = load(point_.velocity[a] + p);
           square += v * v;
-        }
+        });
         found.motion = max(found.motion, square * rate);
         const LaneMask out = live && shape_.outside(x);
         if (any(out))
@@ -90,35 +92,46 @@ class MoveCell {
   [[gnu::always_inline]] Lanes strain(std::size_t p, const LaneMask& live, const typename Shape::Stencil& at,
                                       const std::array<std::array<double, nodes>, dim>& step, double dilation) {
     StepGradient<dim, Lanes> gradient;
-    for (int a = 0; a < dim; ++a) {
+    each<dim>([&](auto a) __attribute__((always_inline)) {
       std::array<Lanes, dim> along;
-      for (int b = 0; b < dim; ++b) {
+      each<dim>([&](auto b) __attribute__((always_inline)) {
         along[b] = at.slope[0][b] * step[a][0];
-        for (int i = 1; i < nodes; ++i) along[b] += at.slope[i][b] * step[a][i];
-      }
-      for (int d = 0; d < dim; ++d) {
+        each<nodes - 1>([&](auto i)
+                            __attribute__((always_inline)) { along[b] += at.slope[i + 1][b] * step[a][i + 1]; });
+      });
+      each<dim>([&](auto d) __attribute__((always_inline)) {
         gradient.plane[a][d] = along[0] * at.inverse[0][d];
-        for (int b = 1; b < dim; ++b) gradient.plane[a][d] += along[b] * at.inverse[b][d];
-      }
-    }
+        each<dim - 1>([&](auto b) __attribute__((always_inline)) {
+          gradient.plane[a][d] += along[b + 1] * at.inverse[b + 1][d];
+        });
+      });
+    });
     Lanes trace = gradient.plane[0][0];
-    for (int a = 1; a < dim; ++a) trace += gradient.plane[a][a];
+    each<dim - 1>([&](auto a) __attribute__((always_inline)) { trace += gradient.plane[a + 1][a + 1]; });
     if (parts_.b_bar) {
       const Lanes more = (dilation - trace) * (1.0 / 3);
-      for (int a = 0; a < dim; ++a) gradient.plane[a][a] += more;
+      each<dim>([&](auto a) __attribute__((always_inline)) { gradient.plane[a][a] += more; });
       gradient.zz = more;
       trace = Lanes(dilation);
     }
+    // Dead lanes are not strained: a law may look at all lanes together, and where dead slots lie is not state.
+    each<dim>([&](auto a) __attribute__((always_inline)) {
+      for (int d = 0; d < dim; ++d) gradient.plane[a][d] = select(live, gradient.plane[a][d], Lanes(0.0));
+    });
+    if constexpr (dim == 2) gradient.zz = select(live, gradient.zz, Lanes(0.0));
     LawPoint<Law, dim, Lanes> point;
-    for (int q = 0; q < stress_components<dim>; ++q) point.stress[q] = load((*c_.stress)[q] + p);
+    each<stress_components<dim>>([&](auto q)
+                                     __attribute__((always_inline)) { point.stress[q] = load(point_.stress[q] + p); });
     for (std::size_t q = 0; q < point.memory.size(); ++q) point.memory[q] = load(memory_[q].at(p));
-    if constexpr (Law::needs_suction) point.suction = load((*c_.suction)[0] + p);
+    if constexpr (Law::needs_suction) point.suction = load(point_.suction + p);
     law_.advance(point, gradient);
-    for (int q = 0; q < stress_components<dim>; ++q) store_live(point.stress[q], (*c_.stress)[q] + p, live);
+    each<stress_components<dim>>([&](auto q) __attribute__((always_inline)) {
+      store_live(point.stress[q], point_.stress[q] + p, live);
+    });
     for (std::size_t q = 0; q < point.memory.size(); ++q) store_live(point.memory[q], memory_[q].at(p), live);
-    const Lanes volume = load((*c_.volume)[0] + p) * (1.0 + trace);
-    store_live(volume, (*c_.volume)[0] + p, live);
-    return modulus(point) * volume / load((*c_.mass)[0] + p);
+    const Lanes volume = load(point_.volume + p) * (1.0 + trace);
+    store_live(volume, point_.volume + p, live);
+    return modulus(point) * volume / load(point_.mass + p);
   }
   [[gnu::always_inline]] Lanes modulus(const LawPoint<Law, dim, Lanes>& point) const {
     if constexpr (requires { Law::modulus_varies; }) {
@@ -134,7 +147,8 @@ class MoveCell {
   }
 
   Shape shape_;
-  const SkeletonColumns& c_;
+  PointPlaces<dim> point_;
+  NodePlaces<dim> node_;
   const std::vector<MemoryColumn>& memory_;
   const Law law_;
   MoveParts parts_;

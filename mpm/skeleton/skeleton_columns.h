@@ -19,21 +19,41 @@ struct SkeletonColumns {
   Column* node_new_velocity = nullptr;  ///< v_i + dt a_i, where points take some of it
 };
 
+/// Where the values of the columns lie while points stay in their slots.
+template <int dim>
+struct PointPlaces {
+  explicit PointPlaces(const SkeletonColumns& c)
+      : volume((*c.volume)[0]), mass((*c.mass)[0]), suction(c.suction != nullptr ? (*c.suction)[0] : nullptr) {
+    for (int a = 0; a < dim; ++a) position[a] = (*c.position)[a], velocity[a] = (*c.velocity)[a];
+    for (int q = 0; q < stress_components<dim>; ++q) stress[q] = (*c.stress)[q];
+    for (int q = 0; c.affine != nullptr && q < dim * dim; ++q) affine[q] = (*c.affine)[q];
+  }
+  std::array<double*, dim> position, velocity;
+  std::array<double*, stress_components<dim>> stress;
+  std::array<double*, dim * dim> affine{};
+  double *volume, *mass, *suction;
+};
+template <int dim>
+struct NodePlaces {
+  explicit NodePlaces(const SkeletonColumns& c) : mass((*c.node_mass)[0]) {
+    for (int a = 0; a < dim; ++a) {
+      force[a] = (*c.node_force)[a], velocity[a] = (*c.node_velocity)[a], acceleration[a] = (*c.node_acceleration)[a];
+      if (c.node_new_velocity != nullptr) new_velocity[a] = (*c.node_new_velocity)[a];
+    }
+  }
+  double* mass;
+  std::array<double*, dim> force, velocity, acceleration, new_velocity{};
+};
+
 /// Lanes that hold points among four slots, of which `left` and fewer are live.
 inline LaneMask live_lanes(std::size_t left) {
-  static const Lanes index([](auto k) { return static_cast<double>(k); });
-  return index < static_cast<double>(left);
+  static constexpr double index[lane_count] = {0, 1, 2, 3};
+  return load(index) < static_cast<double>(left);
 }
 
 /// Stores what a full chunk of lanes holds; beyond the live points nothing changes.
 inline void store_live(const Lanes& value, double* to, const LaneMask& live) {
   store(select(live, value, load(to)), to);
-}
-
-/// Adds the sums over the lanes of each of `count` values to to[k].
-template <std::size_t count>
-[[gnu::always_inline]] inline void lane_sums(const std::array<Lanes, count>& values, std::array<double, count>& to) {
-  for (std::size_t k = 0; k < count; ++k) to[k] = sum(values[k]);
 }
 
 }  // namespace wetfront::mpm

@@ -1,5 +1,6 @@
 #include "mpm/skeleton/deforming_skeleton.h"
 
+#include <algorithm>
 #include <cmath>
 
 /// One cycle of the deforming skeleton (README.md: phase -> equation).
@@ -10,9 +11,10 @@ template <int dim>
 template <class Body>
 void DeformingSkeleton<dim>::over_chunks(const Body& body) {
   for (const auto& colour : chunks_->colours())
-    for (std::size_t chunk : colour)
+    team_->run(colour.size(), [&](std::size_t k) {
       for (std::size_t soil = 0; soil < soils_.size(); ++soil)
-        body(*soils_[soil], chunks_->blocks(plan_->fields.points, chunk, static_cast<int>(soil)), chunk, soil);
+        body(*soils_[soil], chunks_->blocks(plan_->fields.points, colour[k], static_cast<int>(soil)), colour[k], soil);
+    });
 }
 
 /// Who is where, when that has changed. Nodes that are left behind keep no motion.
@@ -24,8 +26,14 @@ void DeformingSkeleton<dim>::refresh() {
     for (int c = 0; column != nullptr && c < column->spec().components; ++c)
       for (const NodeRun& run : active_->runs()) std::fill((*column)[c] + run.first, (*column)[c] + run.last, 0.0);
   active_->clear();
+  std::array<int, SplineGrid<dim>::nodes> nodes{};
   for (const Block& block : points.blocks())
-    for (int i = 0; i < cell_nodes<dim>; ++i) active_->mark(block.nodes[i]);
+    if (splines_) {
+      splines_->nodes_of(block.cell, nodes.data());
+      for (int node : nodes) active_->mark(node);
+    } else {
+      for (int i = 0; i < cell_nodes<dim>; ++i) active_->mark(block.nodes[i]);
+    }
   active_->finish();
   chunks_->update(points, static_cast<int>(soils_.size()));
   version_ = points.version();
@@ -103,6 +111,9 @@ void DeformingSkeleton<dim>::accelerate() {
   if (gravity_ != nullptr) add_weight();
   for (const auto& condition : cycle_->conditions) condition->add_force();
   for (const auto& condition : cycle_->conditions) condition->see_force();
+  if (plan_->problem.skeleton.update == StressUpdate::usl || plan_->problem.skeleton.update == StressUpdate::usf ||
+      plan_->problem.skeleton.transfer == Transfer::apic)
+    find_light();
   const double* mass = (*c_.node_mass)[0];
   const double damping = cycle_->damping;
   for (int a = 0; a < dim; ++a) {
@@ -119,6 +130,15 @@ void DeformingSkeleton<dim>::accelerate() {
   for (const auto& condition : cycle_->conditions) condition->limit_acceleration();
 }
 
+template <int dim>
+void DeformingSkeleton<dim>::find_light() {
+  constexpr double share = 0.1;
+  double heaviest = 0;
+  for (const NodeRun& run : active_->runs())
+    for (std::size_t i = run.first; i < run.last; ++i) heaviest = std::max(heaviest, (*c_.node_mass)[0][i]);
+  light_ = share * heaviest;
+}
+
 /// III: points take the motion of the nodes; MUSL: and give it back.
 template <int dim>
 void DeformingSkeleton<dim>::points() {
@@ -128,12 +148,14 @@ void DeformingSkeleton<dim>::points() {
     for (int a = 0; a < dim; ++a)
       for (const NodeRun& run : active_->runs())
         for (std::size_t i = run.first; i < run.last; ++i)
-          (*c_.node_new_velocity)[a][i] = (*c_.node_velocity)[a][i] + cycle_->dt * (*c_.node_acceleration)[a][i];
+          (*c_.node_new_velocity)[a][i] =
+              (*c_.node_velocity)[a][i] +
+              (scheme.transfer == Transfer::apic ? strained(i) : 1.0) * cycle_->dt * (*c_.node_acceleration)[a][i];
   if (back)
     for (int a = 0; a < dim; ++a)
       for (const NodeRun& run : active_->runs())
         std::fill((*c_.node_velocity)[a] + run.first, (*c_.node_velocity)[a] + run.last, 0.0);
-  const TransferParts parts{cycle_->dt, scheme.pic, true, back};
+  const TransferParts parts{cycle_->dt, scheme.pic, back, light_};
   over_chunks([&parts](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
     soil.points(blocks, parts);
   });
@@ -149,7 +171,7 @@ void DeformingSkeleton<dim>::velocity() {
     for (int a = 0; a < dim; ++a)
       for (const NodeRun& run : active_->runs())
         for (std::size_t i = run.first; i < run.last; ++i)
-          (*c_.node_velocity)[a][i] += dt * (*c_.node_acceleration)[a][i];
+          (*c_.node_velocity)[a][i] += strained(i) * dt * (*c_.node_acceleration)[a][i];
     hold_fixed(*c_.node_velocity);
   }
   for (const auto& condition : cycle_->conditions) condition->limit_velocity();

@@ -30,17 +30,16 @@ class SoilMotion {
 /// What a soil's kernels work with; all of it outlives them.
 template <int dim>
 struct SoilMotionSetting {
-  const Grid<dim>& grid;
   const SkeletonColumns& columns;
   const std::vector<double>& altitude;  ///< per cell [m]
-  ShapeFunctions shape;
   /// Provides the columns of a law's memory, or finds them where another soil has provided them.
   std::function<std::vector<MemoryColumn>(const std::vector<ColumnSpec>&)> memory;
 };
 
 /// Throws CannotPlan when the soil has no elastic constants.
-template <int dim>
-std::unique_ptr<SoilMotion<dim>> make_soil_motion(const Soil& soil, const SoilMotionSetting<dim>& setting);
+template <int dim, class Shape>
+std::unique_ptr<SoilMotion<dim>> make_soil_motion(const Soil& soil, const Shape& shape,
+                                                  const SoilMotionSetting<dim>& setting);
 
 /// The kernels that know no law.
 template <int dim, class Shape>
@@ -50,8 +49,13 @@ class ShapeMotion : public SoilMotion<dim> {
   ShapeMotion(Shape shape, const SkeletonColumns& columns) : shape_(shape), columns_(columns) {}
 
   void gather(Blocks blocks, GatherParts parts) const override {
-    GatherCell<dim, Shape> cell(shape_, columns_, parts);
-    for (const Block& block : blocks) cell(block);
+    const auto over = [blocks](auto cell) {
+      for (const Block& block : blocks) cell(block);
+    };
+    if (columns_.affine != nullptr)
+      over(GatherCell<dim, Shape, true>(shape_, columns_, parts));
+    else
+      over(GatherCell<dim, Shape, false>(shape_, columns_, parts));
   }
   void push(Blocks blocks, const Column& acceleration) const override {
     Shape shape = shape_;
@@ -70,8 +74,15 @@ class ShapeMotion : public SoilMotion<dim> {
     }
   }
   void points(Blocks blocks, TransferParts parts) const override {
-    PointsCell<dim, Shape> cell(shape_, columns_, parts);
-    for (const Block& block : blocks) cell(block);
+    const auto over = [blocks](auto cell) {
+      for (const Block& block : blocks) cell(block);
+    };
+    if (columns_.affine != nullptr)
+      over(PointsCell<dim, Shape, Take::affine>(shape_, columns_, parts));
+    else if (columns_.node_new_velocity != nullptr)
+      over(PointsCell<dim, Shape, Take::blend>(shape_, columns_, parts));
+    else
+      over(PointsCell<dim, Shape, Take::increments>(shape_, columns_, parts));
   }
 
  protected:

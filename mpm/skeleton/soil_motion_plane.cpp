@@ -2,6 +2,7 @@
 
 namespace wetfront::mpm {
 
-template std::unique_ptr<SoilMotion<2>> make_soil_motion(const Soil&, const SoilMotionSetting<2>&);
+template std::unique_ptr<SoilMotion<2>> make_soil_motion(const Soil&, const LinearShape<2>&,
+                                                         const SoilMotionSetting<2>&);
 
 }  // namespace wetfront::mpm

@@ -1,5 +1,6 @@
 // The elastic skeleton: gravity column, no allocation in a step.
 #include "mpm/simulation.h"
+#include "tests/mpm/sheared_sand.h"
 #include "tests/mpm/strip.h"
 
 #include <gtest/gtest.h>
@@ -92,6 +93,18 @@ TEST(ElasticSkeleton, AStepAllocatesNothing) {
   const long before = allocations;
   for (int step = 0; step < 500; ++step) simulation.step();
   EXPECT_EQ(allocations - before, 0);
+}
+
+TEST(ElasticSkeleton, PointsThatChangeCellsAllocateNothingOnceTheirRoomIsThere) {
+  Problem<2> problem = test::sheared_sand(1024, 4, 1);
+  problem.stages[0].end_time = 10;
+  Simulation<2> simulation(problem);
+  for (int warm_up = 0; warm_up < 1000; ++warm_up) simulation.step();
+  const double crossed = simulation.take_history().counters.at("points that changed cells");
+  const long before = allocations;
+  for (int step = 0; step < 200; ++step) simulation.step();
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_GT(simulation.take_history().counters.at("points that changed cells"), crossed + 100);
 }
 
 TEST(ElasticSkeleton, StaysStableAtItsLimit) {

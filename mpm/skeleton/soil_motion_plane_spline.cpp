@@ -1,0 +1,9 @@
+#include "mpm/skeleton/make_soil_motion.h"
+#include "mpm/skeleton/spline_shape.h"
+
+namespace wetfront::mpm {
+
+template std::unique_ptr<SoilMotion<2>> make_soil_motion(const Soil&, const SplineShape<2>&,
+                                                         const SoilMotionSetting<2>&);
+
+}  // namespace wetfront::mpm
