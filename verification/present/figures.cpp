@@ -3,7 +3,9 @@
 #include "meshes/evaluate.h"
 #include "verification/compare/balance.h"
 #include "verification/compare/profile.h"
+#include "verification/present/body_figures.h"
 #include "verification/present/figure_frame.h"
+#include "verification/present/motion_balance.h"
 #include "verification/present/plane_figures.h"
 
 #include <fmt/format.h>
@@ -204,6 +206,12 @@ Figure step_figure() {
   return figure;
 }
 
+/// What a skeleton that deforms has to show.
+void add_motion(std::vector<Figure>& all, const meshes::FieldHistory& history) {
+  for (Figure& picture : body_figures(history)) all.push_back(std::move(picture));
+  for (Figure& picture : motion_figures(history)) all.push_back(std::move(picture));
+}
+
 }  // namespace
 
 std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const Histories& histories,
@@ -219,6 +227,7 @@ std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const 
   }
   if (!std::holds_alternative<Column>(scene.geometry.shape))
     for (Figure& picture : plane_comparison(histories)) all.push_back(std::move(picture));
+  add_motion(all, histories.candidate);
   Figure gauges = gauge_figure();
   add_gauges(gauges, histories.reference, "reference", Series::Style::line);
   add_gauges(gauges, histories.candidate, "MPM", Series::Style::dashed);
@@ -235,6 +244,7 @@ std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const 
 
 std::vector<Figure> figures_of_one(const Scene& scene, const meshes::FieldHistory& history, const std::string& who) {
   std::vector<Figure> all;
+  add_motion(all, history);
   const bool wet = scene.water.has_value();
   for (const Field& field : column_fields()) {
     if (!wet || !std::holds_alternative<Column>(scene.geometry.shape)) break;

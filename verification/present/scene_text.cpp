@@ -190,4 +190,79 @@ std::string boundary_text(const Boundary& boundary) {
   return "";
 }
 
+namespace {
+
+std::string degrees(double angle) {
+  return fmt::format("{:g} deg", angle * 180 / M_PI);
+}
+
+std::string friction_text(const FrictionalStrength& strength) {
+  std::string text = fmt::format("friction {}, cohesion {:g} kPa, dilatancy {}", degrees(strength.friction),
+                                 strength.cohesion / 1e3, degrees(strength.dilatancy));
+  if (strength.tension_cut_off) text += fmt::format(", tension up to {:g} kPa", *strength.tension_cut_off / 1e3);
+  return text;
+}
+
+}  // namespace
+
+std::string strength_text(const Strength& strength) {
+  switch (strength.law) {
+    case Strength::Law::mohr_coulomb:
+      return "Mohr-Coulomb, " + friction_text(strength.peak);
+    case Strength::Law::softening:
+      return fmt::format("Mohr-Coulomb, {}; after {:g} of plastic shear strain {}", friction_text(strength.peak),
+                         strength.softening_range, friction_text(strength.residual));
+    case Strength::Law::suction:
+      return fmt::format("Mohr-Coulomb, {}; suction adds up to {:g} kPa of cohesion (B {:g}) and {} per atmosphere",
+                         friction_text(strength.peak), strength.suction_cohesion / 1e3, strength.cohesion_rate,
+                         degrees(strength.friction_rate));
+    case Strength::Law::cam_clay:
+      break;
+  }
+  return fmt::format("modified Cam-Clay, M {:g}, lambda {:g}, kappa {:g}, preconsolidation {:g} kPa",
+                     strength.critical_slope, strength.compression, strength.swelling, strength.preconsolidation / 1e3);
+}
+
+std::string skeleton_side_text(const Boundary& boundary) {
+  using Kind = SkeletonCondition::Kind;
+  std::string text;
+  if (boundary.skeleton) {
+    const SkeletonCondition& side = *boundary.skeleton;
+    const std::string axes = side.axes[0] && side.axes[1] ? "" : side.axes[0] ? " along x" : " along y";
+    switch (side.kind) {
+      case Kind::free:
+        text = "free";
+        break;
+      case Kind::fixed:
+        text = "fixed" + axes;
+        break;
+      case Kind::moving:
+        text = fmt::format("moved{} with {:g}, {:g} m/s", axes, side.velocity[0], side.velocity[1]);
+        break;
+      case Kind::contact:
+        text = fmt::format("contact, friction {:.4g}", side.friction);
+        break;
+      case Kind::absorbing:
+        text = "absorbing";
+        break;
+      case Kind::periodic:
+        text = "periodic with '" + boundary.partner + "'";
+    }
+  }
+  if (boundary.load)
+    text += (text.empty() ? "" : "; ") + std::string("load") + record_text(boundary.load->value, 1000, "kPa");
+  return text;
+}
+
+std::string skeleton_text(const SkeletonSettings& settings) {
+  const bool splines = settings.shape == SkeletonSettings::Shape::quadratic_spline;
+  std::string text = splines ? "quadratic splines" : "linear shape functions";
+  text += settings.update == SkeletonSettings::Update::usf   ? ", stress first"
+          : settings.update == SkeletonSettings::Update::usl ? ", stress last"
+                                                             : ", MUSL";
+  text += settings.apic ? ", APIC" : settings.pic > 0 ? fmt::format(", FLIP with {:g} of PIC", settings.pic) : ", FLIP";
+  text += settings.b_bar ? ", B-bar" : ", no cure of locking";
+  return text + (settings.k0_stress ? "; starts from K_0 stress" : "; starts without stress");
+}
+
 }  // namespace wetfront::verification

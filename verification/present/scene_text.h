@@ -15,5 +15,9 @@ std::string retention_text(const Retention& retention);
 std::string permeability_text(const Soil& soil);
 std::string evaporation_text(const Evaporation& evaporation);
 std::string boundary_text(const Boundary& boundary);
+std::string strength_text(const Strength& strength);
+/// What the skeleton meets on a side, and the load there; empty where nothing is said of it.
+std::string skeleton_side_text(const Boundary& boundary);
+std::string skeleton_text(const SkeletonSettings& settings);
 
 }  // namespace wetfront::verification

@@ -40,6 +40,7 @@ void add_soil(Table& table, const Soil& soil, const Scene& scene) {
                                    soil.anisotropy->across, soil.anisotropy->angle * 180 / M_PI)});
   if (soil.conductivity_field)
     table.rows.push_back({"conductivity field", fmt::format("{} places", soil.conductivity_field->value.size())});
+  if (soil.strength) table.rows.push_back({"strength", strength_text(*soil.strength)});
   table.rows.push_back({"skeleton", soil.elastic ? fmt::format("elastic, E {:g} MPa, nu {:g}",
                                                                soil.elastic->young / 1e6, soil.elastic->poisson)
                                                  : "rigid"});
@@ -124,6 +125,11 @@ Table setup_table(const Scene& scene, const Timeline& timeline) {
     table.rows.push_back({"evaporation", evaporation_text(evaporation)});
   for (const Boundary& boundary : scene.boundaries)
     if (boundary.water) table.rows.push_back({"water at '" + boundary.side + "'", boundary_text(boundary)});
+  const bool deforms = std::ranges::any_of(scene.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
+  for (const Boundary& boundary : scene.boundaries)
+    if (const std::string text = skeleton_side_text(boundary); !text.empty())
+      table.rows.push_back({"skeleton at '" + boundary.side + "'", text});
+  if (deforms) table.rows.push_back({"skeleton", skeleton_text(scene.skeleton)});
   if (timeline.filling_time)
     table.rows.push_back({"filling time", fmt::format("{:.6g} s (storage deficit / rain)", *timeline.filling_time)});
   for (std::size_t i = 0; i < scene.stages.size(); ++i)

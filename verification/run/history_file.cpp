@@ -19,20 +19,24 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Snapshot, time, stage, node_pressure, node_sa
                                    cell_saturation, cells_hold_averages, points, node_displacement)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, time, rain_asked, infiltrated, run_off, outflow, stored, stored_points)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SideLedger, side, condition, asked, run_off, outflow, evaporated, demanded)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionRow, time, kinetic, potential, stress_work, load_work, resistance, drift,
+                                   momentum, impulse, reaction, momentum_drift)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Gauge, name, position, time, pressure, saturation)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NodeRain, node, position, asked, imposed, run_off)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(KernelCost, phase, kernel, cpu_seconds, calls)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldHistory, solver, mesh, snapshots, ledger, sides, gauges, rain_by_node, cost,
-                                   cpu_seconds, counters, log)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldHistory, solver, mesh, snapshots, ledger, sides, motion, gauges, rain_by_node,
+                                   cost, cpu_seconds, counters, log)
 
 // A member that is not written would come back empty; these do not compile when one is added.
 namespace {
 [[maybe_unused]] void every_member_is_written(const FieldHistory& history) {
-  [[maybe_unused]] const auto& [solver, mesh, snapshots, ledger, sides, gauges, rain, cost, cpu, counters, log] =
-      history;
+  [[maybe_unused]] const auto& [solver, mesh, snapshots, ledger, sides, motion, gauges, rain, cost, cpu, counters,
+                                log] = history;
   [[maybe_unused]] const auto& [time, stage, np, ns, cp, cs, averages, points, displacement] = snapshots[0];
   [[maybe_unused]] const auto& [t, asked, infiltrated, run_off, outflow, stored, stored_points] = ledger[0];
   [[maybe_unused]] const auto& [side, condition, a, r, o, e, d] = sides[0];
+  [[maybe_unused]] const auto& [when, kinetic, potential, stress, load, resistance, drift, momentum, impulse, reaction,
+                                momentum_drift] = motion[0];
   [[maybe_unused]] const auto& [gauge, position, times, pressure, saturation] = gauges[0];
   [[maybe_unused]] const auto& [node, place, all, imposed, off] = rain[0];
 }
@@ -43,7 +47,7 @@ namespace {
 namespace wetfront::verification {
 namespace {
 
-constexpr const char* format = "wetfront history 1";
+constexpr const char* format = "wetfront history 2";
 
 }  // namespace
 

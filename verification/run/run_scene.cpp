@@ -6,6 +6,7 @@
 #include "verification/compare/verdict.h"
 #include "verification/present/field_files.h"
 #include "verification/present/figures.h"
+#include "verification/present/motion_balance.h"
 #include "verification/present/plan_text.h"
 #include "verification/present/reference_error_table.h"
 #include "verification/present/side_table.h"
@@ -34,6 +35,7 @@ void add_candidate_tables(reports::Record& record, const Prepared& prepared, con
   if (prepared.scene.water)
     record.tables.push_back(ledger_table("MPM", history, ledger_area(prepared.scene, history.mesh), prepared.timeline));
   if (!prepared.scene.rains.empty()) record.tables.push_back(node_rain_table(history));
+  if (!history.motion.empty()) record.tables.push_back(motion_table(history, prepared.timeline));
   record.tables.push_back(cost_table("MPM", history));
 }
 

@@ -1,0 +1,45 @@
+#include "verification/present/body_figures.h"
+
+#include "meshes/mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+/// Two square cells side by side, one metre each, with a body whose skeleton deforms.
+meshes::FieldHistory history() {
+  meshes::FieldHistory made;
+  made.mesh.dim = 2;
+  made.mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
+  made.mesh.cells = {0, 1, 4, 3, 1, 2, 5, 4};
+  made.mesh.region = {0, 0};
+  meshes::Snapshot snapshot;
+  snapshot.node_displacement.resize(6);
+  for (double x = 0.1; x < 2; x += 0.2)
+    for (double y = 0.1; y < (x < 1 ? 1 : 0.5); y += 0.2) snapshot.points.position.push_back({x, y, 0});
+  made.snapshots = {snapshot};
+  return made;
+}
+
+TEST(BodyFigures, OutlineIsTheHighestPointOfEachStretch) {
+  const auto figures = body_figures(history());
+  ASSERT_EQ(figures.size(), 1u);
+  ASSERT_EQ(figures[0].series.size(), 2u);  // the points, and one outline
+  EXPECT_EQ(figures[0].series[0].x.size(), history().snapshots[0].points.position.size());
+  const reports::Series& outline = figures[0].series[1];
+  ASSERT_EQ(outline.y.size(), 2u);
+  EXPECT_NEAR(outline.y[0], 0.9, 1e-12);
+  EXPECT_NEAR(outline.y[1], 0.3, 1e-12);  // stretches begin at the leftmost point
+}
+
+TEST(BodyFigures, AreNotThereForARigidSkeleton) {
+  meshes::FieldHistory rigid = history();
+  rigid.snapshots[0].node_displacement.clear();
+  EXPECT_TRUE(body_figures(rigid).empty());
+}
+
+}  // namespace
+}  // namespace wetfront::verification
