@@ -66,6 +66,7 @@ struct MotionRow {
   double load_work = 0;    ///< J, of tractions and water on the skeleton
   double resistance = 0;   ///< J, of sides, contact and damping (negative: taken from the skeleton)
   double drift = 0;        ///< J, what the balance of the above and the beginning lacks
+  double motion = 0;       ///< N s, sum of m |v| over the points: what drift of momentum is small against
   Point momentum{};        ///< N s, of the points
   Point impulse{};         ///< N s, of weight, tractions and water
   Point reaction{};        ///< N s, of sides, contact and damping

@@ -74,9 +74,12 @@ struct Simulation<dim>::Implementation {
     const std::string scheme = plan->scheme();
     history.solver += (history.solver.empty() ? "mpm: " : ", then ") + scheme;
     history.log.push_back("stage '" + plan->stage.name + "' begins: " + scheme);
-    if (plan->conditionally_stable())
-      history.ledger.reserve(history.ledger.size() + static_cast<std::size_t>(rows_per_stage) +
-                             problem.output_times.size() + plan->breaks().size() + 16);
+    if (plan->conditionally_stable()) {
+      const std::size_t rows =
+          static_cast<std::size_t>(rows_per_stage) + problem.output_times.size() + plan->breaks().size() + 16;
+      history.ledger.reserve(history.ledger.size() + rows);
+      history.motion.reserve(history.motion.size() + rows);
+    }
   }
 
   void watch() {

@@ -18,6 +18,15 @@ std::string side_names(const meshes::Mesh& mesh) {
   return text.empty() ? "none" : text;
 }
 
+const meshes::Side& named_side(const meshes::Mesh& mesh, const std::string& name, const std::string& who,
+                               const Origin& origin) {
+  const auto side = std::find_if(mesh.sides.begin(), mesh.sides.end(), [&](const auto& s) { return s.name == name; });
+  if (side == mesh.sides.end())
+    throw CannotPlan(origin + ": " + who + " is asked for on side '" + name +
+                     "', which the mesh does not have. Its sides are " + side_names(mesh));
+  return *side;
+}
+
 namespace {
 
 /// A cell that has a face, and which one of its faces that is.
@@ -46,10 +55,7 @@ BoundarySide<dim> boundary_side(const StagePlan<dim>& plan, const std::string& n
                                 const Origin& origin) {
   const meshes::Mesh& mesh = plan.problem.mesh;
   const Grid<dim>& grid = plan.fields.grid;
-  const auto side = std::find_if(mesh.sides.begin(), mesh.sides.end(), [&](const auto& s) { return s.name == name; });
-  if (side == mesh.sides.end())
-    throw CannotPlan(origin + ": " + who + " is asked for on side '" + name +
-                     "', which the mesh does not have. Its sides are " + side_names(mesh));
+  const meshes::Side* side = &named_side(mesh, name, who, origin);
   std::vector<std::vector<std::size_t>> cells_at(grid.node_count());
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
     for (int i = 0; i < cell_nodes<dim>; ++i)

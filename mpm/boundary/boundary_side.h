@@ -25,6 +25,10 @@ template <int dim>
 BoundarySide<dim> boundary_side(const StagePlan<dim>& plan, const std::string& name, const std::string& who,
                                 const Origin& origin);
 
+/// The side of that name; throws CannotPlan when the mesh has none.
+const meshes::Side& named_side(const meshes::Mesh& mesh, const std::string& name, const std::string& who,
+                               const Origin& origin);
+
 /// "'base', 'top'", for messages; "none".
 std::string side_names(const meshes::Mesh& mesh);
 

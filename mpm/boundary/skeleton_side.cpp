@@ -38,15 +38,12 @@ std::vector<SideNode<dim>> side_nodes(const StagePlan<dim>& plan, const std::str
                                       const Origin& origin, bool only_with_soil) {
   const meshes::Mesh& mesh = plan.problem.mesh;
   const Grid<dim>& grid = plan.fields.grid;
-  const auto named = std::find_if(mesh.sides.begin(), mesh.sides.end(), [&](const auto& s) { return s.name == side; });
-  if (named == mesh.sides.end())
-    throw CannotPlan(origin + ": " + who + " is asked for on side '" + side +
-                     "', which the mesh does not have. Its sides are " + side_names(mesh));
+  const meshes::Side* named = &named_side(mesh, side, who, origin);
   if (plan.problem.skeleton.shape != ShapeFunctions::linear)
     throw CannotPlan(origin + ": " + who +
                      " is asked for with spline shape functions (sides know the nodes of the mesh, splines have "
                      "others). Use linear shape functions");
-  const int number = static_cast<int>(named - mesh.sides.begin());
+  const int number = static_cast<int>(named - mesh.sides.data());
   const Faces<dim> faces(grid, mesh);
   std::map<int, std::vector<SidePlane<dim>>> found;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)

@@ -1,6 +1,7 @@
 #include "mpm/grid/migration.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace wetfront::mpm {
@@ -57,30 +58,37 @@ bool Migration<dim>::find_cell(Mover& mover) {
   return mover.to != mover.from;
 }
 
-/// Puts a point that has left the mesh back onto its border; returns the cell.
+/// Puts a point that has left the mesh back onto its border; returns the cell. As few axes as possible are put back,
+/// for the point may have entered a neighbour along another: a point that leaves through the base while it passes an
+/// upright face of its cell goes on along the base.
 template <int dim>
 std::size_t Migration<dim>::hold(std::size_t cell, std::size_t slot, const Vector<dim>& x) {
   const auto& grid = plan_.fields.grid;
   const Vector<dim> xi = grid.local(cell, x);
-  // One face first, the one it went through the farthest: the point may have entered a neighbour along another axis.
-  std::array<int, dim> axes;
-  for (int a = 0; a < dim; ++a) axes[static_cast<std::size_t>(a)] = a;
-  std::sort(axes.begin(), axes.end(), [&xi](int a, int b) { return std::abs(xi[a]) > std::abs(xi[b]); });
-  Vector<dim> held = xi;
-  int home = -1;
-  for (int axis : axes) {
-    if (home >= 0) break;
-    held[axis] = std::clamp(xi[axis], -1.0, 1.0);
-    const Vector<dim> normal = grid.face_normal(cell, held, axis, xi[axis] > 0);
-    double outward = 0;
-    for (int a = 0; a < dim; ++a) outward += velocity_[a][slot] * normal[a];
-    for (int a = 0; a < dim && outward > 0; ++a) velocity_[a][slot] -= outward * normal[a];
-    const Vector<dim> back = grid.place(cell, held);
-    for (int a = 0; a < dim; ++a) position_[a][slot] = back[a];
-    home = grid.find_cell(back, static_cast<int>(cell));
-  }
   count_[migration_held][0] += 1;
-  return home >= 0 ? static_cast<std::size_t>(home) : cell;
+  for (int most = 1; most <= dim; ++most)
+    for (unsigned axes = 1; axes < (1u << dim); ++axes) {
+      if (std::popcount(axes) != most) continue;
+      Vector<dim> held = xi;
+      for (int a = 0; a < dim; ++a)
+        if (axes & (1u << a)) held[a] = std::clamp(xi[a], -1.0, 1.0);
+      const Vector<dim> back = grid.place(cell, held);
+      const int home = grid.find_cell(back, static_cast<int>(cell));
+      if (home < 0) continue;
+      for (int a = 0; a < dim; ++a) {
+        position_[a][slot] = back[a];
+        if (held[a] != xi[a]) stop_outward(slot, grid.face_normal(cell, held, a, xi[a] > 0));
+      }
+      return static_cast<std::size_t>(home);
+    }
+  return cell;
+}
+
+template <int dim>
+void Migration<dim>::stop_outward(std::size_t slot, const Vector<dim>& normal) {
+  double outward = 0;
+  for (int a = 0; a < dim; ++a) outward += velocity_[a][slot] * normal[a];
+  for (int a = 0; a < dim && outward > 0; ++a) velocity_[a][slot] -= outward * normal[a];
 }
 
 template <int dim>

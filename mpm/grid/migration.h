@@ -25,6 +25,7 @@ class Migration {
  private:
   bool find_cell(Mover& mover);
   std::size_t hold(std::size_t cell, std::size_t slot, const Vector<dim>& x);
+  void stop_outward(std::size_t slot, const Vector<dim>& normal);
 
   StagePlan<dim>& plan_;
   Column &position_, &velocity_, &scratch_, &count_;

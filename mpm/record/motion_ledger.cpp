@@ -113,6 +113,18 @@ Vector<dim> MotionLedger<dim>::momentum() const {
 }
 
 template <int dim>
+double MotionLedger<dim>::motion() const {
+  double sum = 0;
+  for (const Block& block : plan_->fields.points.blocks())
+    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
+      double square = 0;
+      for (int a = 0; a < dim; ++a) square += (*velocity_)[a][p] * (*velocity_)[a][p];
+      sum += (*mass_)[0][p] * std::sqrt(square);
+    }
+  return sum;
+}
+
+template <int dim>
 double MotionLedger<dim>::kinetic_energy() const {
   double sum = 0;
   for (const Block& block : plan_->fields.points.blocks())
@@ -143,6 +155,7 @@ void MotionLedger<dim>::record(double time, meshes::FieldHistory& history) const
   const double potential = potential_energy();
   row.drift = row.kinetic + potential + row.stress_work - row.load_work - row.resistance - sums[first_energy][0];
   row.potential = potential;
+  row.motion = motion();
   const Vector<dim> now = momentum();
   for (int a = 0; a < dim; ++a) {
     const auto k = static_cast<std::size_t>(a);

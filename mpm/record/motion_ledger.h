@@ -41,6 +41,7 @@ class MotionLedger : public Effect<dim> {
   void add_step();
   void record(double time, meshes::FieldHistory& history) const;
   Vector<dim> momentum() const;
+  double motion() const;
   double kinetic_energy() const;
   double potential_energy() const;
 

@@ -81,12 +81,12 @@ void DeformingSkeleton<dim>::find_fixed(StagePlan<dim>& plan) {
     }
   };
   for (const Fixity& fixity : plan.problem.fixities) {
-    // Also where splines move the skeleton: it is the one who says that there is no such side.
-    const auto side = boundary_side(plan, fixity.side, "a fixity", fixity.origin);
+    // The whole side, also where no soil is yet: a body runs out onto its base.
+    const meshes::Side& side = named_side(plan.problem.mesh, fixity.side, "a fixity", fixity.origin);
     if (splines_)
       for (const auto& node : splines_->side(plan.problem.mesh, fixity.side)) fix(fixity, node.index);
     else
-      for (const auto& node : side.nodes) fix(fixity, node.index);
+      for (const int node : side.faces) fix(fixity, node);
   }
 }
 

@@ -53,6 +53,7 @@ class DeformingSkeleton : public Effect<dim> {
   /// a node that a point has only just reached has a force but hardly a mass, f/m there has no bound. Points take the
   /// whole of the accelerations all the same, so momentum is kept.
   double strained(std::size_t node) const { return std::min(1.0, (*c_.node_mass)[0][node] / light_); }
+  void stop_fixed() const;
 
   StagePlan<dim>* plan_ = nullptr;
   std::shared_ptr<SkeletonCycle<dim>> cycle_;

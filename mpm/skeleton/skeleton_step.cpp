@@ -50,11 +50,11 @@ void DeformingSkeleton<dim>::gather() {
   gather_cells(true, !first);
   if (first) {
     divide_momentum();
+    hold_fixed(*c_.node_velocity);
     for (const auto& condition : cycle_->conditions) condition->limit_velocity();
     move(true, false);
     gather_cells(false, true);
   }
-  if (body_ != nullptr) push();
 }
 
 template <int dim>
@@ -89,7 +89,6 @@ void DeformingSkeleton<dim>::divide_momentum() {
     for (const NodeRun& run : active_->runs())
       for (std::size_t i = run.first; i < run.last; ++i) v[i] = mass[i] > 0 ? v[i] / mass[i] : 0.0;
   }
-  hold_fixed(*c_.node_velocity);
 }
 
 template <int dim>
@@ -110,6 +109,7 @@ void DeformingSkeleton<dim>::accelerate() {
   if (plan_->problem.skeleton.update != StressUpdate::usf) divide_momentum();
   if (gravity_ != nullptr) add_weight();
   for (const auto& condition : cycle_->conditions) condition->add_force();
+  if (body_ != nullptr) push();  // a load, to who tells loads from stress
   for (const auto& condition : cycle_->conditions) condition->see_force();
   if (plan_->problem.skeleton.update == StressUpdate::usl || plan_->problem.skeleton.update == StressUpdate::usf ||
       plan_->problem.skeleton.transfer == Transfer::apic)
@@ -126,7 +126,7 @@ void DeformingSkeleton<dim>::accelerate() {
       for (std::size_t i = run.first; i < run.last; ++i) acceleration[i] = mass[i] > 0 ? force[i] / mass[i] : 0.0;
     }
   }
-  hold_fixed(*c_.node_acceleration);
+  stop_fixed();
   for (const auto& condition : cycle_->conditions) condition->limit_acceleration();
 }
 
@@ -167,6 +167,7 @@ void DeformingSkeleton<dim>::velocity() {
   const double dt = cycle_->dt;
   if (plan_->problem.skeleton.update == StressUpdate::musl) {
     divide_momentum();
+    hold_fixed(*c_.node_velocity);
   } else {
     for (int a = 0; a < dim; ++a)
       for (const NodeRun& run : active_->runs())
@@ -226,6 +227,17 @@ template <int dim>
 void DeformingSkeleton<dim>::hold_fixed(Column& vector) const {
   for (int a = 0; a < dim; ++a)
     for (int node : fixed_[static_cast<std::size_t>(a)]) vector[a][node] = 0;
+}
+
+/// What is held comes to rest within the step, v_i + dt a_i = 0: the side takes the momentum that points bring to its
+/// nodes. With a_i = 0 a point beside a held side would keep its velocity for ever, and FLIP would press it onto it.
+template <int dim>
+void DeformingSkeleton<dim>::stop_fixed() const {
+  for (int a = 0; a < dim; ++a) {
+    const double* v = (*c_.node_velocity)[a];
+    double* acceleration = (*c_.node_acceleration)[a];
+    for (int node : fixed_[static_cast<std::size_t>(a)]) acceleration[node] = -v[node] / cycle_->dt;
+  }
 }
 
 #define WETFRONT_INSTANTIATE(d)                         \

@@ -31,7 +31,7 @@ double size(const meshes::Point& x) {
 double momentum_scale(const meshes::FieldHistory& history) {
   double scale = 1e-300;
   for (const MotionRow& row : history.motion)
-    scale = std::max({scale, size(row.momentum), size(row.impulse), size(row.reaction)});
+    scale = std::max({scale, row.motion, size(row.momentum), size(row.impulse), size(row.reaction)});
   return scale;
 }
 

@@ -37,10 +37,7 @@ double surface_at(const Geometry& geometry, double x) {
   return std::visit(Overloaded{[](const Column& column) { return column.height; },
                                [&](const Slope& slope) { return x * std::tan(slope.angle) + slope.thickness; },
                                [](const MeshFile&) { return std::nan(""); },
-                               [&](const Box& box) {
-                                 if (!box.surface.x.empty()) return box.surface.at(x);
-                                 return box.size.empty() ? std::nan("") : box.size.back();
-                               },
+                               [](const Box& box) { return box.size.empty() ? std::nan("") : box.size.back(); },
                                [&](const GroundProfile& profile) { return profile.surface.at(x); }},
                     geometry.shape);
 }

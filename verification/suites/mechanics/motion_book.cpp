@@ -39,6 +39,7 @@ void MotionBook::balance(const meshes::FieldHistory& history) {
   if (history.motion.empty()) return;
   double momentum = 0, momentum_size = 0, energy = 0, energy_size = 0;
   for (const meshes::MotionRow& row : history.motion) {
+    momentum_size = std::max(momentum_size, row.motion);
     for (std::size_t a = 0; a < 3; ++a) {
       momentum = std::max(momentum, std::abs(row.momentum_drift[a]));
       momentum_size = std::max({momentum_size, std::abs(row.momentum[a]), std::abs(row.impulse[a])});
