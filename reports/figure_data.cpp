@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstdio>
 
 namespace wetfront::reports {
@@ -21,7 +22,7 @@ Json rounded(const std::vector<double>& values) {
   for (const double value : values) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.7g", value);
-    array.push_back(std::isfinite(value) ? Json(std::stod(buffer)) : Json(nullptr));
+    array.push_back(std::isfinite(value) ? Json(std::strtod(buffer, nullptr)) : Json(nullptr));
   }
   return array;
 }

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstdio>
 
 namespace wetfront::reports {
@@ -41,9 +42,9 @@ std::string number_text(double value, int digits) {
   std::snprintf(rounded, sizeof rounded, "%.*e", digits - 1, std::abs(value));
   const std::string text = rounded;
   const int exponent = std::stoi(text.substr(text.find('e') + 1));
-  const double magnitude = std::stod(text);
+  const double magnitude = std::strtod(text.c_str(), nullptr);
   if (exponent >= -3 && exponent < 5) return sign + fixed(magnitude, std::max(0, digits - 1 - exponent));
-  const std::string mantissa = fixed(std::stod(text.substr(0, text.find('e'))), digits - 1);
+  const std::string mantissa = fixed(std::strtod(text.substr(0, text.find('e')).c_str(), nullptr), digits - 1);
   return sign + (mantissa == "1" ? "" : mantissa + "\u202f×\u202f") + power_of_ten(exponent);
 }
 

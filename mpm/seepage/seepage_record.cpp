@@ -97,11 +97,8 @@ void Seepage<dim>::add_output(StagePlan<dim>& plan) {
       }
       out.cell_saturation.push_back(content.saturation(out.cell_pressure[cell]));
     }
-    const auto copy = [](const Column& column) {
-      return std::vector<double>(column.values().begin(), column.values().end());
-    };
-    out.points.pressure = copy(*columns_.point_pressure);
-    out.points.saturation = copy(*columns_.point_saturation);
+    out.points.pressure = plan.fields.points.in_order(*columns_.point_pressure);
+    out.points.saturation = plan.fields.points.in_order(*columns_.point_saturation);
   });
 }
 
