@@ -156,14 +156,6 @@ class Collector {
 };
 
 template <int dim>
-void check_name(const StagePlan<dim>& plan, const std::string& name, const std::string& who, const Origin& origin) {
-  const auto& sides = plan.problem.mesh.sides;
-  if (std::none_of(sides.begin(), sides.end(), [&](const auto& s) { return s.name == name; }))
-    throw CannotPlan(origin + ": " + who + " is asked for on side '" + name +
-                     "', which the mesh does not have. Its sides are " + side_names(plan.problem.mesh));
-}
-
-template <int dim>
 bool belongs(const StagePlan<dim>& plan, const SurfacePiece<dim>& piece, const std::string& side) {
   if (side == free_surface) return !piece.border;
   return piece.border && piece.side >= 0 && plan.problem.mesh.sides[static_cast<std::size_t>(piece.side)].name == side;
@@ -197,7 +189,7 @@ template <int dim>
 std::vector<Outlet<dim>> outlets(const StagePlan<dim>& plan, const Surface<dim>& surface, const std::string& side,
                                  const std::string& who, const Origin& origin) {
   const bool free = side == free_surface;
-  if (!free) check_name(plan, side, who, origin);
+  if (!free) named_side(plan.problem.mesh, side, who, origin);
   Collector<dim> collector(plan);
   for (std::size_t k = 0; k < surface.pieces().size(); ++k)
     if (belongs(plan, surface.pieces()[k], side)) collector.add(surface.pieces()[k], static_cast<int>(k));

@@ -13,10 +13,16 @@ PeriodicCondition<dim>::PeriodicCondition(StagePlan<dim>& plan, const std::vecto
 }
 
 template <int dim>
+double PeriodicCondition<dim>::mass_of(const std::vector<int>& group) const {
+  double mass = 0;
+  for (int node : group) mass += nodes_.mass[0][node];
+  return mass;
+}
+
+template <int dim>
 void PeriodicCondition<dim>::share(Column& column) const {
   for (const auto& group : groups_) {
-    double mass = 0;
-    for (int node : group) mass += nodes_.mass[0][node];
+    const double mass = mass_of(group);
     if (!(mass > 0)) continue;
     for (int a = 0; a < dim; ++a) {
       double sum = 0;
@@ -30,8 +36,7 @@ template <int dim>
 void PeriodicCondition<dim>::see_force() {
   share(nodes_.velocity);
   for (const auto& group : groups_) {
-    double mass = 0;
-    for (int node : group) mass += nodes_.mass[0][node];
+    const double mass = mass_of(group);
     if (!(mass > 0)) continue;
     for (int a = 0; a < dim; ++a) {
       double sum = 0;

@@ -15,6 +15,7 @@ class PeriodicCondition : public NodalCondition<dim> {
   void limit_velocity() override;
 
  private:
+  double mass_of(const std::vector<int>& group) const;
   void share(Column& column) const;  ///< the mean by mass
 
   SkeletonNodes<dim> nodes_;

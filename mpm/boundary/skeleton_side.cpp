@@ -62,13 +62,9 @@ std::vector<SideNode<dim>> side_nodes(const StagePlan<dim>& plan, const std::str
 namespace {
 
 std::vector<int> nodes_of(const meshes::Mesh& mesh, const std::string& name, const Origin& origin) {
-  for (const auto& side : mesh.sides)
-    if (side.name == name) {
-      const std::set<int> unique(side.faces.begin(), side.faces.end());
-      return {unique.begin(), unique.end()};
-    }
-  throw CannotPlan(origin + ": periodic sides are asked for on '" + name +
-                   "', which the mesh does not have. Its sides are " + side_names(mesh));
+  const meshes::Side& side = named_side(mesh, name, "a periodic pair", origin);
+  const std::set<int> unique(side.faces.begin(), side.faces.end());
+  return {unique.begin(), unique.end()};
 }
 
 /// Lowest corner of the box around the nodes.

@@ -37,7 +37,6 @@ class Relaxer {
   void clear_velocities();
   bool correct();
   void move_by_cycle();
-  bool elastic_helps(double ratio, double before) const;
   [[noreturn]] void give_up(const Outcome& outcome) const;
   double moved() const;
 

@@ -1,5 +1,7 @@
 #include "mpm/record/motion_ledger.h"
 
+#include "mpm/grid/column_vector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -72,8 +74,11 @@ template <int dim>
 void MotionLedger<dim>::add_step() {
   const double dt = cycle_->dt;
   const double* mass = (*node_mass_)[0];
+  // Points that take the nodes' velocities themselves lose what held nodes have lost of theirs: where stress comes
+  // first nodes are held before the points look.
   const SkeletonScheme& scheme = plan_->problem.skeleton;
-  const double mixed = scheme.transfer == Transfer::apic ? 1 : scheme.pic;
+  const bool held_before = scheme.update == StressUpdate::usf;
+  const double mixed = !held_before ? 0 : scheme.transfer == Transfer::apic ? 1 : scheme.pic;
   const Vector<dim> carried = mixed > 0 ? momentum() : Vector<dim>{};
   for (int a = 0; a < dim; ++a) {
     const double *inner = (*inner_)[a], *loaded = (*loaded_)[a], *v = (*node_velocity_)[a], *at = (*acceleration_)[a];
@@ -95,7 +100,6 @@ void MotionLedger<dim>::add_step() {
     (*sums_)[resistance][0] += dt * held;
     (*sums_)[impulse + a][0] += dt * pushed;
     (*sums_)[reaction + a][0] += dt * reacted;
-    // Points that take the nodes' velocities themselves lose what held nodes have lost of theirs.
     if (mixed > 0) (*sums_)[reaction + a][0] += mixed * (seen - carried[a]);
   }
 }
@@ -112,35 +116,33 @@ Vector<dim> MotionLedger<dim>::momentum() const {
   return sum;
 }
 
+/// Sum over the points of value(slot).
 template <int dim>
-double MotionLedger<dim>::motion() const {
+template <class Value>
+double MotionLedger<dim>::over_points(const Value& value) const {
   double sum = 0;
   for (const Block& block : plan_->fields.points.blocks())
-    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-      double square = 0;
-      for (int a = 0; a < dim; ++a) square += (*velocity_)[a][p] * (*velocity_)[a][p];
-      sum += (*mass_)[0][p] * std::sqrt(square);
-    }
+    for (std::size_t p = block.first; p < block.first + block.count; ++p) sum += value(p);
   return sum;
+}
+
+template <int dim>
+double MotionLedger<dim>::motion() const {
+  return over_points([this](std::size_t p) { return (*mass_)[0][p] * length<dim>(at<dim>(*velocity_, p)); });
 }
 
 template <int dim>
 double MotionLedger<dim>::kinetic_energy() const {
-  double sum = 0;
-  for (const Block& block : plan_->fields.points.blocks())
-    for (std::size_t p = block.first; p < block.first + block.count; ++p)
-      for (int a = 0; a < dim; ++a) sum += 0.5 * (*mass_)[0][p] * (*velocity_)[a][p] * (*velocity_)[a][p];
-  return sum;
+  return over_points([this](std::size_t p) {
+    const Vector<dim> v = at<dim>(*velocity_, p);
+    return 0.5 * (*mass_)[0][p] * dot<dim>(v, v);
+  });
 }
 
 template <int dim>
 double MotionLedger<dim>::potential_energy() const {
-  double sum = 0;
-  for (const Block& block : plan_->fields.points.blocks())
-    for (std::size_t p = block.first; p < block.first + block.count; ++p)
-      for (int a = 0; a < dim; ++a)
-        sum -= (*mass_)[0][p] * plan_->problem.gravity[static_cast<std::size_t>(a)] * (*position_)[a][p];
-  return sum;
+  return over_points(
+      [this](std::size_t p) { return -(*mass_)[0][p] * dot<dim>(plan_->problem.gravity, at<dim>(*position_, p)); });
 }
 
 template <int dim>

@@ -41,6 +41,8 @@ class MotionLedger : public Effect<dim> {
   void add_step();
   void record(double time, meshes::FieldHistory& history) const;
   Vector<dim> momentum() const;
+  template <class Value>
+  double over_points(const Value& value) const;
   double motion() const;
   double kinetic_energy() const;
   double potential_energy() const;

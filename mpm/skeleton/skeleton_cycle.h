@@ -44,7 +44,7 @@ class NodalCondition {
 /// In a dynamic stage they are kernels of the plan: gather in Phase::gather, accelerate in Phase::accelerate, points
 /// and velocity in Phase::point_velocity, move in Phase::move (stress update first: Phase::gather), migrate in
 /// Phase::carry. In a quasi-static stage the plan runs none of them: they are iterated kernels of mpm/coupling/, which
-/// sets `dt` and `damping` and calls run_cycle() as often as it takes.
+/// sets `dt` and `damping` and runs them as often as it takes.
 template <int dim>
 struct SkeletonCycle {
   double dt = 0;       ///< of the cycle [s]; the clock's in a dynamic stage, relaxation's own in a quasi-static one
@@ -54,9 +54,6 @@ struct SkeletonCycle {
 
   Kernel *gather = nullptr, *accelerate = nullptr, *points = nullptr, *velocity = nullptr, *move = nullptr,
          *migrate = nullptr;
-  void run_cycle() {
-    for (Kernel* kernel : {gather, accelerate, points, velocity, move, migrate}) kernel->run();
-  }
   /// The longest stable dt at the present state, without a safety factor [s].
   std::function<double()> stable_step;
 

@@ -1,6 +1,5 @@
+#include "mpm/two_velocity/cell_geometry.h"
 #include "mpm/two_velocity/water.h"
-
-#include <cmath>
 
 namespace wetfront::mpm {
 
@@ -14,20 +13,10 @@ TwoVelocityCells<dim>::TwoVelocityCells(const Grid<dim>& grid)
       share(grid.cell_count()),
       gradient(grid.cell_count()),
       hanging(grid.cell_count()),
-      faces(grid.cell_count()),
       centre(grid.cell_count()) {
-  // Two Gauss points per axis integrate dN/dx det exactly on straight quadrilaterals.
-  const double place = 1 / std::sqrt(3.0);
-  Stencil<dim> s;
-  for (std::size_t c = 0; c < grid.cell_count(); ++c) {
-    size.push_back(grid.smallest_altitude(c));
-    for (int corner = 0; corner < cell_nodes<dim>; ++corner) {
-      Vector<dim> xi{};
-      for (int a = 0; a < dim; ++a) xi[a] = place * node_sign(corner, a);
-      const double weight = grid.stencil(c, xi, s);
-      for (int i = 0; i < cell_nodes<dim>; ++i)
-        for (int a = 0; a < dim; ++a) faces[c][i][a] += weight * s.gradient[i][a];
-    }
+  for (const CellGeometry<dim>& cell : cell_geometry(grid)) {
+    stiffness.push_back(cell.stiffness);
+    faces.push_back(cell.faces);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "mpm/two_velocity/nodal_vector.h"
+#include "mpm/grid/column_vector.h"
 #include "mpm/two_velocity/two_velocity.h"
 
 /// Steps I to III of the two-velocity scheme in a resting skeleton: momentum of the liquid.

@@ -2,6 +2,7 @@
 
 #include "mpm/laws/tabulated.h"
 #include "mpm/two_velocity/body.h"
+#include "mpm/two_velocity/cell_geometry.h"
 #include "mpm/two_velocity/content_table.h"
 #include "mpm/two_velocity/lane_cell.h"
 
@@ -54,17 +55,5 @@ struct LiquidNode {
   Vector<dim> centre{};    ///< sum of share * x_c
   double mobility = 0;     ///< sum of share * K(p_c)
 };
-
-/// Per cell what does not depend on the points.
-template <int dim>
-struct CellGeometry {
-  std::array<Vector<dim>, cell_nodes<dim>> faces{};  ///< integral of grad N_i [m^(dim-1)]
-  std::array<double, cell_nodes<dim>> extent{};      ///< integral of N_i [m^dim]
-  double volume = 0;                                 ///< m^dim
-  double stiffness = 0;                              ///< 4/h^2, h the smallest altitude [1/m2]
-};
-
-template <int dim>
-std::vector<CellGeometry<dim>> cell_geometry(const Grid<dim>& grid);
 
 }  // namespace wetfront::mpm

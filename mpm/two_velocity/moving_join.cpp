@@ -73,8 +73,7 @@ void TwoVelocityLiquid<dim>::add_moving_momentum(StagePlan<dim>& plan) {
   plan.add(Phase::accelerate, "liquid along walls", [this, &plan] {
     if (cycle_->conditions.size() > 1) moving_->follow_walls(plan.clock.dt);
   });
-  plan.add(Phase::point_velocity, "liquid velocity to points and back",
-           [this, &plan] { moving_->points(plan.clock.dt); });
+  plan.add(Phase::point_velocity, "liquid velocity to points and back", [this] { moving_->points(); });
 }
 
 template <int dim>

@@ -25,7 +25,7 @@ class MovingLiquid {
   void solve(double dt);
   /// Through walls the liquid moves with the skeleton, whatever other conditions have made of that.
   void follow_walls(double dt);
-  void points(double dt);
+  void points();
   void relative_velocity();
   void balance(double dt, bool as_printed);
   /// The longest stable step of a soil's blocks [s].

@@ -1,9 +1,9 @@
 #include "mpm/two_velocity/rain.h"
 
 #include "mpm/boundary/boundary_side.h"
+#include "mpm/grid/column_vector.h"
 #include "mpm/record/water_ledger.h"
 #include "mpm/two_velocity/moving_liquid.h"
-#include "mpm/two_velocity/nodal_vector.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "mpm/two_velocity/skeleton.h"
 
-#include "mpm/two_velocity/nodal_vector.h"
+#include "mpm/grid/column_vector.h"
 #include "mpm/two_velocity/water.h"
 
 namespace wetfront::mpm {

@@ -23,7 +23,7 @@ constexpr double steps_ahead = 4;
 template <int dim>
 void TwoVelocityLiquid<dim>::find_stiffness(StagePlan<dim>& plan) {
   TwoVelocityWater<dim>& w = *water_;
-  for (double size : w.cells.size) w.stiffness.push_back(4 / (size * size));
+  w.stiffness = w.cells.stiffness;
   plan.at_ready([&plan, &w] {
     using Geometry = PressureOperator<dim>;
     Geometry geometry(plan, w);

@@ -39,7 +39,7 @@ struct TwoVelocityCells {
   std::vector<double> water;                                       ///< sum_p W_p [m^dim]
   std::vector<double> pressure;                                    ///< p_c, the inverse of water/pores [Pa]
   std::vector<double> mobility;                                    ///< k k_rel(p_c)/mu [m2/(Pa s)]
-  std::vector<double> size;                                        ///< smallest altitude [m]
+  std::vector<double> stiffness;                                   ///< 4/h^2 (CellGeometry) [1/m2]
   std::vector<std::array<double, cell_nodes<dim>>> share;          ///< sum_p V_p N_i [m^dim]
   std::vector<std::array<Vector<dim>, cell_nodes<dim>>> gradient;  ///< sum_p V_p dN_i/dx [m^(dim-1)]
   /// sum_p V_p dN_i/dx rho_l g.(x_p - centre) [N]: the push of the pressure that hangs below and above the centre in

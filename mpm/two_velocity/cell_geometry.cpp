@@ -1,4 +1,4 @@
-#include "mpm/two_velocity/moving_cells.h"
+#include "mpm/two_velocity/cell_geometry.h"
 
 #include <cmath>
 

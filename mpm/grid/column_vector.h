@@ -18,4 +18,12 @@ void put(Column& column, std::size_t i, const Vector<dim>& v) {
   for (int a = 0; a < dim; ++a) column[a][i] = v[a];
 }
 
+/// Its components, one array per axis.
+template <int dim>
+std::array<double*, dim> axes(Column& column) {
+  std::array<double*, dim> out;
+  for (int a = 0; a < dim; ++a) out[a] = column[a];
+  return out;
+}
+
 }  // namespace wetfront::mpm

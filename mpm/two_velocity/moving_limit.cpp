@@ -1,0 +1,70 @@
+#include "mpm/grid/column_vector.h"
+#include "mpm/laws/linear_elastic.h"
+#include "mpm/two_velocity/moving_liquid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// The step limit of skeleton and liquid together (README.md section 6b).
+namespace wetfront::mpm {
+
+template <int dim>
+double MovingLiquid<dim>::limit(int soil, double steps_ahead, double growth, double last_step) {
+  const LiquidLaws& laws = laws_[static_cast<std::size_t>(soil)];
+  const Soil& spec = plan_.problem.soils[static_cast<std::size_t>(soil)];
+  const double modulus = LinearElastic(*spec.elastic).constrained_modulus();
+  const bool is_explicit = plan_.stage.liquid == LiquidScheme::explicit_drag;
+  const auto flux = axes<dim>(*w_.flux), closing = axes<dim>(*w_.solid_velocity);
+  const double *content = (*w_.content)[0], *mobility = (*w_.mobility)[0], *rain = (*w_.rain_rate)[0],
+               *volume = (*w_.volume)[0];
+  for (int i : body_.nodes()) drag_[static_cast<std::size_t>(i)] = content[i] / (mobility[i] * w_.density);
+  // What mapping to points and back leaves of the stiffest mode at least (README.md section 6b).
+  constexpr double mapped = 0.5;
+  double worst = 0;  // 1/dt
+  for (const Block& block : plan_.fields.points.blocks(soil)) {
+    const LiquidBlock<dim>& sums = blocks_[place(block)];
+    const CellGeometry<dim>& geometry = geometry_[block.cell];
+    double least = std::numeric_limits<double>::infinity(), most = 0, out = 0, closed = 0, falls = 0;
+    for (int k = 0; k < cell_nodes<dim>; ++k) {
+      const auto i = static_cast<std::size_t>(block.nodes[k]);
+      for (int a = 0; a < dim; ++a) {
+        out += geometry.faces[k][a] * flux[a][i];
+        closed -= geometry.faces[k][a] * closing[a][i];
+      }
+      falls += rain[i] / volume[i];
+      if (w_.walls.closed(i)) continue;
+      least = std::min(least, drag_[i]);
+      most = std::max(most, drag_[i]);
+    }
+    const double per_pores = 1 / sums.pores, e = sums.content;
+    const double rate = per_pores * (std::max(std::abs(out), falls * sums.volume / cell_nodes<dim>) +
+                                     std::max(0.0, closed) * sums.water / sums.volume);
+    double slope = laws.content.slope(sums.pressure);
+    const double saturated = laws.content.saturated() / plan_.problem.water->bulk_modulus;
+    const double ahead = e + steps_ahead * rate * growth * last_step;
+    // Within a thousandth of the curve's scale of p = 0 a strain of 1e-6 saturates the cell.
+    if (sums.pressure > -1e-3 * laws.pressure_scale || ahead >= laws.content.saturated())
+      slope = std::min(slope, saturated);
+    else
+      slope = std::min(slope, laws.content.slope(laws.content.pressure_near(ahead)));
+    CoupledCell cell;
+    const double n = sums.pores / sums.volume, wet = sums.water / sums.volume, per_storage = 1 / (n * slope);
+    const double all = sums.group < 0 ? sums.volume : groups_[static_cast<std::size_t>(sums.group)].volume;
+    const double fill = body_.is_near_surface(block.cell) ? std::min(1.0, all / geometry.volume) : 1;
+    const double s = sums.saturation, k = mapped * geometry.stiffness / fill;
+    cell.liquid = wet * w_.density;
+    cell.mixture = (1 - n) * laws.grain_density + cell.liquid;
+    cell.k11 = mapped * geometry.stiffness * dim * modulus + k * s * s * per_storage;
+    cell.k12 = k * s * wet * per_storage;
+    cell.k22 = k * wet * wet * per_storage;
+    cell.drag = is_explicit ? -most : std::isfinite(least) ? least : 0;
+    if (!cell.stable(worst)) worst = std::max(worst, cell.critical());
+  }
+  return worst > 0 ? 1 / worst : std::numeric_limits<double>::infinity();
+}
+
+template double MovingLiquid<2>::limit(int, double, double, double);
+template double MovingLiquid<3>::limit(int, double, double, double);
+
+}  // namespace wetfront::mpm
