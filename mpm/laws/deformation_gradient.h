@@ -10,16 +10,23 @@ namespace wetfront::mpm {
 template <int dim>
 constexpr int gradient_size = dim == 2 ? 5 : 9;
 
-inline std::vector<ColumnSpec> deformation_gradient_specs(int dim) {
-  return {{"deformation gradient", "F", "-", dim == 2 ? gradient_size<2> : gradient_size<3>}};
-}
+/// What laws of the deformation gradient have in common; they derive from this.
+struct DeformationMemory {
+  template <int dim>
+  static constexpr int memory_size = gradient_size<dim>;
+  static constexpr bool needs_suction = false;
+  static constexpr bool modulus_varies = true;  ///< constrained_modulus depends on the point: asked point by point
+  static std::vector<ColumnSpec> memory_specs(int dim) {
+    return {{"deformation gradient", "F", "-", dim == 2 ? gradient_size<2> : gradient_size<3>}};
+  }
 
-template <int dim, class T>
-void set_unstrained(std::array<T, gradient_size<dim>>& f) {
-  for (int a = 0; a < dim; ++a)
-    for (int b = 0; b < dim; ++b) f[a * dim + b] = T(a == b ? 1.0 : 0.0);
-  if constexpr (dim == 2) f[4] = T(1.0);
-}
+  template <class Law, int dim, class T>
+  void begin(LawPoint<Law, dim, T>& point) const {
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b) point.memory[a * dim + b] = T(a == b ? 1.0 : 0.0);
+    if constexpr (dim == 2) point.memory[4] = T(1.0);
+  }
+};
 
 /// F <- (I + grad du) F: exact for the motion of a step, whose gradient is taken at the places at its beginning.
 template <int dim, class T>

@@ -8,20 +8,9 @@ namespace wetfront::mpm {
 
 /// Kirchhoff stress linear in the logarithmic strain: tau = lambda tr(e) I + 2 mu e, e = ln(b)/2, sigma = tau/J. The
 /// stress follows from the deformation alone, so an initial stress is not kept.
-class HenckyLaw {
+class HenckyLaw : public DeformationMemory {
  public:
-  template <int dim>
-  static constexpr int memory_size = gradient_size<dim>;
-  static constexpr bool needs_suction = false;
-  static constexpr bool modulus_varies = true;  ///< constrained_modulus depends on the point: asked point by point
-  static std::vector<ColumnSpec> memory_specs(int dim) { return deformation_gradient_specs(dim); }
-
   explicit HenckyLaw(const Elastic& elastic) : elastic_(elastic) {}
-
-  template <int dim, class T>
-  void begin(LawPoint<HenckyLaw, dim, T>& point) const {
-    set_unstrained<dim>(point.memory);
-  }
 
   template <int dim, class T>
   void advance(LawPoint<HenckyLaw, dim, T>& point, const StepGradient<dim, T>& step) const {

@@ -7,19 +7,11 @@
 namespace wetfront::mpm {
 
 /// Linear isotropic elasticity in increments: d sigma' = lambda tr(d eps) I + 2 mu d eps, with rotation.
-class LinearElastic {
+class LinearElastic : public NoMemory {
  public:
-  template <int dim>
-  static constexpr int memory_size = 0;
-  static constexpr bool needs_suction = false;
-  static std::vector<ColumnSpec> memory_specs(int) { return {}; }
-
   explicit LinearElastic(const Elastic& spec)
       : lambda_(spec.young * spec.poisson / ((1 + spec.poisson) * (1 - 2 * spec.poisson))),
         shear_(spec.young / (2 * (1 + spec.poisson))) {}
-
-  template <int dim, class T>
-  void begin(LawPoint<LinearElastic, dim, T>&) const {}
 
   template <int dim, class T>
   [[gnu::always_inline]] void advance(LawPoint<LinearElastic, dim, T>& point, const StepGradient<dim, T>& step) const {

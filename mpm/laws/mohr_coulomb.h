@@ -49,21 +49,13 @@ template <int dim, class T, class S>
 }
 
 /// Linear elastic, perfectly plastic with Mohr-Coulomb's strength, non-associated, optionally cut off in tension.
-class MohrCoulombLaw {
+class MohrCoulombLaw : public NoMemory {
  public:
-  template <int dim>
-  static constexpr int memory_size = 0;
-  static constexpr bool needs_suction = false;
-  static std::vector<ColumnSpec> memory_specs(int) { return {}; }
-
   MohrCoulombLaw(const Elastic& elastic, const MohrCoulomb& spec)
       : elastic_(elastic),
         strength_(strength_of(spec)),
         surface_(strength_, elastic_.lame(), elastic_.shear_modulus()),
         cut_off_(has_cut_off(spec)) {}
-
-  template <int dim, class T>
-  void begin(LawPoint<MohrCoulombLaw, dim, T>&) const {}
 
   template <int dim, class T>
   [[gnu::always_inline]] void advance(LawPoint<MohrCoulombLaw, dim, T>& point, const StepGradient<dim, T>& step) const {

@@ -7,20 +7,9 @@ namespace wetfront::mpm {
 
 /// P = lambda ln J F^-T + mu (F - F^-T), that is sigma = (lambda ln J I + mu (b - I))/J. The stress follows from the
 /// deformation alone, so an initial stress is not kept. J <= 0 gives a stress that is not finite.
-class NeoHookeanLaw {
+class NeoHookeanLaw : public DeformationMemory {
  public:
-  template <int dim>
-  static constexpr int memory_size = gradient_size<dim>;
-  static constexpr bool needs_suction = false;
-  static constexpr bool modulus_varies = true;  ///< constrained_modulus depends on the point: asked point by point
-  static std::vector<ColumnSpec> memory_specs(int dim) { return deformation_gradient_specs(dim); }
-
   explicit NeoHookeanLaw(const Elastic& elastic) : elastic_(elastic) {}
-
-  template <int dim, class T>
-  void begin(LawPoint<NeoHookeanLaw, dim, T>& point) const {
-    set_unstrained<dim>(point.memory);
-  }
 
   template <int dim, class T>
   void advance(LawPoint<NeoHookeanLaw, dim, T>& point, const StepGradient<dim, T>& step) const {

@@ -34,4 +34,15 @@ concept StressLaw = requires(const Law& law, LawPoint<Law, dim>& point, const St
   { law.constrained_modulus(point) } -> std::convertible_to<double>;
 };
 
+/// What a law without memory has to say of it; laws derive from this.
+struct NoMemory {
+  template <int dim>
+  static constexpr int memory_size = 0;
+  static constexpr bool needs_suction = false;
+  static std::vector<ColumnSpec> memory_specs(int) { return {}; }
+
+  template <class Law, int dim, class T>
+  void begin(LawPoint<Law, dim, T>&) const {}
+};
+
 }  // namespace wetfront::mpm

@@ -7,20 +7,14 @@ namespace wetfront::mpm {
 /// Mohr-Coulomb with strength from suction s (Yerro, Alonso & Pinyol 2015, Eqs 20 and 21):
 /// c = c' + c_max (1 - exp(-B s/p_atm)), phi = phi' + A s/p_atm, p_atm = 100 kPa. Wetting without strain brings the
 /// stress back to the smaller surface. The friction angle is held below 80 degrees, beyond any soil.
-class SuctionMohrCoulombLaw {
+class SuctionMohrCoulombLaw : public NoMemory {
  public:
-  template <int dim>
-  static constexpr int memory_size = 0;
   static constexpr bool needs_suction = true;
-  static std::vector<ColumnSpec> memory_specs(int) { return {}; }
   static constexpr double atmosphere = 100e3;  ///< Pa
   static constexpr double largest_friction = 80 * 3.14159265358979323846 / 180;
 
   SuctionMohrCoulombLaw(const Elastic& elastic, const SuctionMohrCoulomb& spec)
       : elastic_(elastic), spec_(spec), cut_off_(spec.saturated.tension_cut_off.has_value()) {}
-
-  template <int dim, class T>
-  void begin(LawPoint<SuctionMohrCoulombLaw, dim, T>&) const {}
 
   template <int dim, class T>
   void advance(LawPoint<SuctionMohrCoulombLaw, dim, T>& point, const StepGradient<dim, T>& step) const {
