@@ -215,8 +215,8 @@ TEST(Relaxation, DampedMotionFindsTheSameRest) {
   const auto history = run<2>(problem), exact = run<2>(dry_column(cells));
   EXPECT_GT(history.counters.at("cycles of relaxation"), 100);
   const double u = history.snapshots.back().node_displacement[2 * cells][1];
-  // Damped motion ends at 2e-4 of the forces out of balance, most of it in the lowest mode, which moves the top by up to
-  // twenty times that share (2.0e-3 was measured).
+  // Damped motion ends at 2e-4 of the forces out of balance, most of it in the lowest mode, which moves the top by up
+  // to twenty times that share (2.0e-3 was measured).
   EXPECT_NEAR(u / exact.snapshots.back().node_displacement[2 * cells][1], 1, 4e-3);
 }
 

@@ -1,36 +1,13 @@
 #pragma once
 
 #include "mpm/problem.h"
+#include "tests/mpm/plane.h"
 
 #include <algorithm>
 #include <cmath>
 
 /// Bodies whose points move from cell to cell, for tests and benchmarks.
 namespace wetfront::mpm::test {
-
-/// A plane mesh of nx x ny square cells of size h, sides "base", "left", "right" and "top".
-inline meshes::Mesh grid(int nx, int ny, double h) {
-  meshes::Mesh mesh;
-  const auto node = [nx](int i, int j) { return j * (nx + 1) + i; };
-  for (int j = 0; j <= ny; ++j)
-    for (int i = 0; i <= nx; ++i) mesh.nodes.push_back({i * h, j * h, 0});
-  mesh.sides = {{"base", {}}, {"left", {}}, {"right", {}}, {"top", {}}};
-  for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) {
-      for (int k : {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}) mesh.cells.push_back(k);
-      mesh.region.push_back(0);
-    }
-  for (int i = 0; i < nx; ++i) {
-    for (int k : {node(i, 0), node(i + 1, 0)}) mesh.sides[0].faces.push_back(k);
-    for (int k : {node(i + 1, ny), node(i, ny)}) mesh.sides[3].faces.push_back(k);
-  }
-  for (int j = 0; j < ny; ++j) {
-    for (int k : {node(0, j + 1), node(0, j)}) mesh.sides[1].faces.push_back(k);
-    for (int k : {node(nx, j), node(nx, j + 1)}) mesh.sides[2].faces.push_back(k);
-  }
-  mesh.region_names = {"soil"};
-  return mesh;
-}
 
 /// Cells of the body: two thirds of the mesh in each direction, in its lower middle.
 struct Body {
@@ -47,7 +24,7 @@ inline Problem<2> sheared_sand(long points, int per_cell, int threads) {
   const Body body(points, per_cell);
   constexpr double h = 0.05;
   Problem<2> problem;
-  problem.mesh = grid(body.across, body.cells + 2, h);
+  problem.mesh = box(body.across * h, (body.cells + 2) * h, body.across, body.cells + 2);
   problem.empty_cells.assign(problem.mesh.cell_count(), 1);
   for (int j = 0; j < body.cells; ++j)
     for (int i = body.first; i < body.first + body.cells; ++i)

@@ -16,7 +16,7 @@ Problem<2> free_block(const SkeletonScheme& scheme) {
   problem.fixities.clear();
   problem.soils[0].law.reset();
   problem.skeleton = scheme;
-  problem.mesh = test::grid(24, 24, 0.05);
+  problem.mesh = test::box(24 * 0.05, 24 * 0.05, 24, 24);
   problem.empty_cells.assign(problem.mesh.cell_count(), 1);
   for (int j = 7; j < 17; ++j)
     for (int i = 7; i < 17; ++i) problem.empty_cells[static_cast<std::size_t>(24 * j + i)] = 0;

@@ -28,7 +28,7 @@ struct SlotsUnderMotion : ::testing::Test {
   static constexpr int across = 6;
   static constexpr std::size_t cells = across * across;
   meshes::Mesh mesh = [] {
-    meshes::Mesh m = test::grid(across, across, 1.0);
+    meshes::Mesh m = test::box(across, across, across, across);
     for (std::size_t c = cells / 2; c < cells; ++c) m.region[c] = 1;
     return m;
   }();
