@@ -4,7 +4,6 @@
 #include "mpm/boundary/skeleton_side.h"
 #include "mpm/laws/linear_elastic.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace wetfront::mpm {
@@ -50,12 +49,9 @@ AbsorbingCondition<dim>::AbsorbingCondition(StagePlan<dim>& plan, SkeletonCycle<
       known_(plan.provide_on_run({"absorbing sides carry", "-", "-", 1})) {
   const bool held = plan.stage.motion == SkeletonMotion::quasi_static;
   for (const AbsorbingSide& side : sides) {
-    const auto behind = boundary_side(plan, side.side, "an absorbing side", side.origin);
-    for (const auto& node : side_nodes(plan, side.side, "an absorbing side", side.origin, true)) {
-      const auto soil = std::find_if(behind.nodes.begin(), behind.nodes.end(),
-                                     [&node](const auto& other) { return other.index == node.index; });
-      const int region = soil != behind.nodes.end() ? soil->region : behind.nodes.front().region;
-      const Impedance z = impedance_of(plan.problem.soils[static_cast<std::size_t>(region)], side.origin);
+    boundary_side(plan, side.side, "an absorbing side", side.origin);  // there is soil behind it
+    for (const auto& node : side_nodes(plan, side.side, "an absorbing side", side.origin, false)) {
+      const Impedance z = impedance_of(plan.problem.soils[static_cast<std::size_t>(node.region)], side.origin);
       std::array<Vector<dim>, dim> resistance{};
       for (const auto& plane : node.planes)
         for (int a = 0; a < dim; ++a)

@@ -13,7 +13,8 @@ MovingCondition<dim>::MovingCondition(StagePlan<dim>& plan, SkeletonCycle<dim>& 
     : plan_(plan), cycle_(cycle), nodes_(plan), displacement_(plan.require_on_nodes("displacement")), spec_(spec) {
   for (double time : spec.factor.time) plan.add_break(time);
   boundary_side(plan, spec.side, "a motion", spec.origin);  // there is soil behind it
-  for (const auto& node : side_nodes(plan, spec.side, "a motion", spec.origin, true)) {
+  // The whole side, also where no soil is yet: a body may slide along it.
+  for (const auto& node : side_nodes(plan, spec.side, "a motion", spec.origin, false)) {
     index_.push_back(node.index);
     for (int a = 0; a < dim; ++a)
       if (spec.velocity[static_cast<std::size_t>(a)])

@@ -44,8 +44,9 @@ SkeletonBoundaries<dim>::SkeletonBoundaries(const Problem<dim>& problem, std::sh
 template <int dim>
 void SkeletonBoundaries<dim>::join(StagePlan<dim>& plan) {
   auto& conditions = cycle_->conditions;
+  int number = 0;
   for (const Traction& spec : all_of_kind<Traction>(plan.problem))
-    conditions.push_back(std::make_unique<TractionCondition<dim>>(plan, spec));
+    conditions.push_back(std::make_unique<TractionCondition<dim>>(plan, spec, number++));
   for (const MovingSide& spec : all_of_kind<MovingSide>(plan.problem))
     conditions.push_back(std::make_unique<MovingCondition<dim>>(plan, *cycle_, spec));
   if (const auto sides = all_of_kind<AbsorbingSide>(plan.problem); !sides.empty())

@@ -45,17 +45,20 @@ std::vector<SideNode<dim>> side_nodes(const StagePlan<dim>& plan, const std::str
                      "others). Use linear shape functions");
   const int number = static_cast<int>(named - mesh.sides.data());
   const Faces<dim> faces(grid, mesh);
-  std::map<int, std::vector<SidePlane<dim>>> found;
+  std::map<int, SideNode<dim>> found;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell)
     for (int face = 0; face < cell_faces<dim>; ++face) {
       if (faces.side(cell, face) != number || (only_with_soil && !plan.fields.points.occupied(cell))) continue;
       const auto local = local_face<dim>(face);
       const auto integrals = Faces<dim>::integrals(grid, cell, face);
-      for (std::size_t i = 0; i < local.size(); ++i)
-        add_face<dim>(found[grid.cell_nodes_of(cell)[local[i]]], integrals[i]);
+      for (std::size_t i = 0; i < local.size(); ++i) {
+        const int index = grid.cell_nodes_of(cell)[local[i]];
+        const auto [node, fresh] = found.try_emplace(index, SideNode<dim>{index, grid.region(cell), {}});
+        add_face<dim>(node->second.planes, integrals[i]);
+      }
     }
   std::vector<SideNode<dim>> nodes;
-  for (auto& [index, planes] : found) nodes.push_back({index, std::move(planes)});
+  for (auto& [index, node] : found) nodes.push_back(std::move(node));
   return nodes;
 }
 

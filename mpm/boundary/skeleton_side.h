@@ -17,6 +17,7 @@ struct SidePlane {
 template <int dim>
 struct SideNode {
   int index = 0;
+  int region = 0;  ///< of the first cell behind it
   std::vector<SidePlane<dim>> planes;
 };
 

@@ -6,7 +6,7 @@
 namespace wetfront::mpm {
 
 template <int dim>
-TractionCondition<dim>::TractionCondition(StagePlan<dim>& plan, const Traction& spec)
+TractionCondition<dim>::TractionCondition(StagePlan<dim>& plan, const Traction& spec, int number)
     : plan_(plan), nodes_(plan), spec_(spec) {
   for (double time : spec.factor.time) plan.add_break(time);
   if (spec.side == free_surface) {
@@ -17,15 +17,28 @@ TractionCondition<dim>::TractionCondition(StagePlan<dim>& plan, const Traction& 
     surface_ = std::make_unique<Surface<dim>>(plan.fields.grid, plan.fields.points, plan.problem.mesh);
     return;
   }
-  boundary_side(plan, spec.side, "a traction", spec.origin);  // there is soil behind it
-  for (const auto& node : side_nodes(plan, spec.side, "a traction", spec.origin, true)) {
-    Vector<dim> load{};
+  boundary_side(plan, spec.side, "a traction", spec.origin);     // there is soil behind it
+  side_nodes(plan, spec.side, "a traction", spec.origin, true);  // and it is one that sides know
+  load_ = &plan.provide_on_nodes({"traction " + std::to_string(number), "t A", dim == 2 ? "N/m" : "N", dim});
+  plan.at_entry([this] { load_side(); });
+  plan.at_ready([this] {
+    for (std::size_t i = 0; i < load_->size(); ++i)
+      for (int a = 0; a < dim; ++a)
+        if ((*load_)[a][i] != 0) {
+          index_.push_back(static_cast<int>(i));
+          break;
+        }
+  });
+}
+
+template <int dim>
+void TractionCondition<dim>::load_side() {
+  load_->fill(0);
+  for (const auto& node : side_nodes(plan_, spec_.side, "a traction", spec_.origin, true))
     for (const auto& plane : node.planes)
       for (int a = 0; a < dim; ++a)
-        load[a] += plane.area * (spec.force[static_cast<std::size_t>(a)] - spec.pressure * plane.normal[a]);
-    index_.push_back(node.index);
-    load_.push_back(load);
-  }
+        (*load_)[a][node.index] +=
+            plane.area * (spec_.force[static_cast<std::size_t>(a)] - spec_.pressure * plane.normal[a]);
 }
 
 template <int dim>
@@ -40,12 +53,12 @@ void TractionCondition<dim>::add_force() {
 
 template <int dim>
 void TractionCondition<dim>::add_on_side(double factor) {
-  for (std::size_t k = 0; k < index_.size(); ++k) {
-    if (nodes_.empty(static_cast<std::size_t>(index_[k])))
+  for (const int i : index_) {
+    if (nodes_.empty(static_cast<std::size_t>(i)))
       throw StepFailed(spec_.origin + ": the traction on side '" + spec_.side +
-                       "' cannot act any more (the soil has left node " + std::to_string(index_[k]) +
+                       "' cannot act any more (the soil has left node " + std::to_string(i) +
                        " of it). Put the load on the free surface, which moves with the soil");
-    for (int a = 0; a < dim; ++a) nodes_.force[a][index_[k]] += factor * load_[k][a];
+    for (int a = 0; a < dim; ++a) nodes_.force[a][i] += factor * (*load_)[a][i];
   }
 }
 

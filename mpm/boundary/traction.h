@@ -10,18 +10,22 @@ namespace wetfront::mpm {
 template <int dim>
 class TractionCondition : public NodalCondition<dim> {
  public:
-  TractionCondition(StagePlan<dim>& plan, const Traction& spec);
+  /// `number`: among the tractions of the problem, 0, 1, ...
+  TractionCondition(StagePlan<dim>& plan, const Traction& spec, int number);
   void add_force() override;
 
  private:
+  void load_side();
   void add_on_side(double factor);
   void add_on_surface(double factor);
 
   StagePlan<dim>& plan_;
   SkeletonNodes<dim> nodes_;
   Traction spec_;
-  std::vector<int> index_;
-  std::vector<Vector<dim>> load_;          ///< force on each of these nodes at factor 1 [N]
+  /// Force on the nodes of the side at factor 1, of its faces with soil behind them when the stage began: a run that
+  /// goes on later must not load others.
+  Column* load_ = nullptr;
+  std::vector<int> index_;                 ///< of the loaded nodes
   std::unique_ptr<Surface<dim>> surface_;  ///< where the load is on the free surface
 };
 

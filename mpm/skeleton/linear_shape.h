@@ -121,10 +121,12 @@ class LinearShape {
     return inverse_of(jacobian);
   }
   /// Newton's method from the affine guess; quadratic, a convex cell never needs 20 steps. Lanes far outside (dead
-  /// slots, points about to be held) are kept within three cells.
+  /// slots, points about to be held) are kept within three cells. A lane that has arrived stays: how long others, dead
+  /// ones even, have to go on must not show in its bits.
   [[gnu::noinline]] Place crooked_local(Place x, Place u) const {
     Stencil at;
-    for (int iteration = 0; iteration < 20; ++iteration) {
+    LaneMask moving(true);
+    for (int iteration = 0; iteration < 20 && any(moving); ++iteration) {
       for (Lanes& c : u) c = max(min(c, Lanes(2.0)), Lanes(-1.0));
       at.local = u;
       set_values(at);
@@ -133,14 +135,14 @@ class LinearShape {
       Place miss = x;
       for (int i = 0; i < nodes; ++i)
         for (int a = 0; a < dim; ++a) miss[a] -= at.value[i] * grid_.node(node_[i])[a];
-      LaneMask moving(false);
+      LaneMask far(false);
       for (int b = 0; b < dim; ++b) {
         Lanes step = at.inverse[b][0] * miss[0];
         for (int a = 1; a < dim; ++a) step += at.inverse[b][a] * miss[a];
-        u[b] += step;
-        moving = moving || abs(step) > 5e-15;
+        u[b] = select(moving, u[b] + step, u[b]);
+        far = far || abs(step) > 5e-15;
       }
-      if (!any(moving)) break;
+      moving = moving && far;
     }
     return u;
   }

@@ -31,6 +31,17 @@ inline void expect_same_bits(const State& a, const State& b) {
     EXPECT_EQ(a.history.sides[s].run_off, b.history.sides[s].run_off);
     EXPECT_EQ(a.history.sides[s].evaporated, b.history.sides[s].evaporated);
   }
+  ASSERT_EQ(a.history.motion.size(), b.history.motion.size());
+  for (std::size_t k = 0; k < a.history.motion.size(); ++k) {
+    const meshes::MotionRow &one = a.history.motion[k], &other = b.history.motion[k];
+    EXPECT_EQ(one.time, other.time);
+    EXPECT_EQ(one.kinetic, other.kinetic);
+    EXPECT_EQ(one.stress_work, other.stress_work);
+    EXPECT_EQ(one.load_work, other.load_work);
+    EXPECT_EQ(one.resistance, other.resistance);
+    EXPECT_EQ(one.drift, other.drift);
+    EXPECT_EQ(one.momentum_drift, other.momentum_drift);
+  }
   EXPECT_EQ(a.history.counters, b.history.counters);
 }
 

@@ -182,8 +182,7 @@ TEST(DeformingSkeleton, TwoThreadsGiveTheBitsOfOne) {
   test::expect_same_bits(two, one);
 }
 
-// Known fault: a cut run of yielding sand differs in the seventh digit (README section 2 promises the bits).
-TEST(DeformingSkeleton, DISABLED_ARunOfMovingSandGoesOnWithTheSameBits) {
+TEST(DeformingSkeleton, ARunOfMovingSandGoesOnWithTheSameBits) {
   Problem<2> problem = test::sheared_sand(256, 4, 1);
   problem.stages[0].end_time = 0.05;
   problem.output_times = {0.02, 0.05};
