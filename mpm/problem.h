@@ -352,6 +352,28 @@ struct Relaxation {
   double coupling_tolerance = 1e-6;  ///< of the split between flow and skeleton, relative
 };
 
+/// What may end a stage before its end time.
+enum class StageEnd {
+  time,
+  failure,  ///< quasi-static: the skeleton finds no equilibrium any more; the last one is restored
+  rest,     ///< dynamic: the body has come to rest
+};
+/// A skeleton has failed when, with the step of the liquid shrunk to `shortest_step`, one relaxation moves a node by
+/// `displacement` or ends (at Relaxation::most_iterations, which grows with length over cell size) with more than
+/// `unbalanced_ratio` out of balance. A relaxation that ends there with less has stalled, which is no failure.
+struct FailureCriterion {
+  double displacement = 0.02;      ///< m
+  double unbalanced_ratio = 5e-3;  ///< -
+  double shortest_step = 2;        ///< s: the time of failure is known to this
+};
+/// At rest: for `hold` no kinetic energy above `energy_ratio` times the largest of the stage (or, where the body never
+/// moved faster than `slowest` in the mean, above the energy of that).
+struct RestCriterion {
+  double energy_ratio = 1e-3;  ///< -
+  double hold = 0.2;           ///< s
+  double slowest = 1e-3;       ///< m/s
+};
+
 struct Stage {
   std::string name;
   std::optional<LiquidScheme> liquid;  ///< absent in a dry scene
@@ -365,6 +387,11 @@ struct Stage {
   Origin origin;
   SkeletonMotion motion = SkeletonMotion::dynamic;  ///< of soils with `elastic`
   Relaxation relaxation{};
+  StageEnd ends_with = StageEnd::time;  ///< `end_time` is the latest
+  double longest = 0;                   ///< s: ends so long after its own beginning at the latest; 0: at `end_time`
+  FailureCriterion failure{};
+  RestCriterion rest{};
+  double picture_every = 0;  ///< s between snapshots for BodyRecord::pictures; 0: none
 };
 
 /// A strip one cell wide (a column) or a plane-strain mesh for dim 2; dim 3 likewise.
@@ -392,6 +419,7 @@ struct Problem {
   std::function<std::array<double, dim>(const std::array<double, dim>&, double)> body_acceleration{};
   int threads = 1;  ///< of the kernels over cells; results do not depend on it
   std::vector<Probe> probes;
+  std::vector<Probe> riders{};  ///< followed from their first places: BodyRecord::riders
   int points_per_cell = 4;
   RainScheme rain_scheme = RainScheme::standard;
   /// CPU seconds that a run may take; a plan that expects more is refused, a run that takes more gives up. 0: any.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/body_record.h"
 #include "mpm/problem.h"
 
 #include <map>
@@ -18,9 +19,17 @@ struct State {
   std::map<std::string, std::vector<double>> fields;
   /// What has been recorded so far.
   meshes::FieldHistory history;
+  BodyRecord body{};
 };
 
-/// Runs the stages of a problem step by step.
+/// Runs the stages of a problem step by step. A stage may end with an event (Stage::ends_with):
+///
+/// - failure: a step in which no equilibrium is found (SkeletonFailed, or any StepFailed there) is taken back and tried
+///   again half as long. At FailureCriterion::shortest_step the skeleton has failed: the last equilibrium is what the
+///   next stage begins with. A stage that reaches its end time without failure ends the run: the slope stands.
+/// - rest: RestCriterion.
+///
+/// End times of later stages follow where they say how long they last (Stage::longest).
 template <int dim>
 class Simulation {
  public:
@@ -32,6 +41,8 @@ class Simulation {
   bool finished() const;
   void step();  ///< one accepted step; throws GaveUp
   double time() const;
+  double end() const;  ///< of the last stage, as far as it is known [s]
+  const BodyRecord& body() const;
   State state() const;
   meshes::FieldHistory take_history();
 

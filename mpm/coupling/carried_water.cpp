@@ -17,10 +17,10 @@ constexpr double nearly_full = 0.01;
 
 template <int dim>
 CarriedWater<dim>::CarriedWater(StagePlan<dim>& plan, const SeepageColumns& columns, Column& trial,
-                                const std::vector<SoilContent>& contents)
+                                const std::vector<SoilContent>& contents, const std::string& grain_mass)
     : plan_(plan), c_(columns), trial_(trial), contents_(contents) {
   volume_ = &plan.require_on_points("volume");
-  mass_ = &plan.require_on_points("mass");
+  mass_ = &plan.require_on_points(grain_mass);
   position_ = &plan.require_on_points("position");
   shape_ = &plan.require_on_points("shape value");
   gradient_ = &plan.require_on_points("shape gradient");
@@ -102,8 +102,31 @@ void CarriedWater<dim>::follow_water() {
   }
 }
 
+/// Points take what the nodes around them have gained; answer_mapped_: what of it they bring back to the nodes.
 template <int dim>
-void CarriedWater<dim>::after_motion() {
+void CarriedWater<dim>::take_answer(std::span<const double> answer) {
+  std::vector<double> pores_at(c_.pressure->size(), 0.0);
+  answer_mapped_.assign(c_.pressure->size(), 0.0);
+  for (const Block& block : plan_.fields.points.blocks()) {
+    const Soil& soil = soil_of(block);
+    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
+      double gained = 0;
+      for (int i = 0; i < cell_nodes<dim>; ++i)
+        gained += (*shape_)[i][q] * answer[static_cast<std::size_t>(block.nodes[i])];
+      (*carried_)[0][q] += gained;
+      const double held = pores(q, soil);
+      for (int i = 0; i < cell_nodes<dim>; ++i) {
+        answer_mapped_[static_cast<std::size_t>(block.nodes[i])] += (*shape_)[i][q] * held * gained;
+        pores_at[static_cast<std::size_t>(block.nodes[i])] += (*shape_)[i][q] * held;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < pores_at.size(); ++i)
+    if (pores_at[i] > 0) answer_mapped_[i] = answer[i] - answer_mapped_[i] / pores_at[i];
+}
+
+template <int dim>
+void CarriedWater<dim>::after_motion(std::span<const double> answer) {
   const std::size_t nodes = c_.pressure->size();
   double shortest = plan_.fields.grid.smallest_altitude(0);
   lambda_.assign(nodes, 0.0);
@@ -115,6 +138,7 @@ void CarriedWater<dim>::after_motion() {
     }
     lambda_[i] = std::min(1.0, forgetting * std::sqrt(square) / shortest);
   }
+  if (!answer.empty()) take_answer(answer);
   follow_water();
   map(new_mapped_, new_pores_);
   for (std::size_t i = 0; i < nodes; ++i) {
@@ -125,7 +149,8 @@ void CarriedWater<dim>::after_motion() {
       continue;
     }
     // What the step under way adds to p^n is not the points' yet: it moves with the nodes until they take it.
-    const double change = new_mapped_[i] - mapped_[i] - lambda_[i] * ((*c_.pressure)[0][i] - mapped_[i]);
+    double change = new_mapped_[i] - mapped_[i] - lambda_[i] * ((*c_.pressure)[0][i] - mapped_[i]);
+    if (!answer.empty()) change += answer_mapped_[i];
     for (Column* column : {c_.pressure, c_.pressure_before, c_.pressure_earlier, &trial_}) (*column)[0][i] += change;
   }
 }

@@ -3,6 +3,9 @@
 #include "mpm/seepage/seepage_step.h"
 #include "mpm/seepage/soil_content.h"
 
+#include <span>
+#include <string>
+
 namespace wetfront::mpm {
 
 /// The water of points that move through the grid (README.md section 5). Points carry
@@ -20,14 +23,15 @@ template <int dim>
 class CarriedWater {
  public:
   CarriedWater(StagePlan<dim>& plan, const SeepageColumns& columns, Column& trial,
-               const std::vector<SoilContent>& contents);
+               const std::vector<SoilContent>& contents, const std::string& grain_mass = "mass");
 
   /// W_p and p_p of the nodal pressures, when a stage begins.
   void begin();
   /// Before the points move: Pi of their present places.
   void before_motion();
   /// After it, stencils filled: the nodal pressures p^n, p^{n-1}, p^{n-2} and the trial one.
-  void after_motion();
+  /// `answer`: what nodal pressures have gained on the way by the motion itself, undrained; p^n is still without it.
+  void after_motion(std::span<const double> answer = {});
   /// Adds what the nodes gained during the accepted step to the points; updates their pressure and saturation.
   void take_increments();
   double total() const;
@@ -41,6 +45,7 @@ class CarriedWater {
 
  private:
   void map(std::vector<double>& mapped, std::vector<double>& pores);
+  void take_answer(std::span<const double> answer);
   void find_gradients();
   void follow_water();
 
@@ -50,7 +55,7 @@ class CarriedWater {
   const std::vector<SoilContent>& contents_;
   Column *volume_, *mass_, *position_, *shape_, *gradient_, *displacement_;
   Column *water_, *carried_, *slope_;
-  std::vector<double> mapped_, mapped_pores_, new_mapped_, new_pores_, displaced_, lambda_;
+  std::vector<double> mapped_, mapped_pores_, new_mapped_, new_pores_, displaced_, lambda_, answer_mapped_;
 };
 
 }  // namespace wetfront::mpm

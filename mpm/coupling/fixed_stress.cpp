@@ -14,6 +14,9 @@ namespace {
 
 /// Passes of one step. Where E_oed is what the pores give way by, one suffices; near sides the error falls by 1 - 2 nu.
 constexpr int most_passes = 30;
+/// Near failure the skeleton goes on moving in every pass. What flow and skeleton then disagree by is carried into the
+/// next step, and whether the skeleton has failed is for the relaxation to say.
+constexpr int most_passes_near_failure = 8;
 
 }  // namespace
 
@@ -28,6 +31,11 @@ void FixedStress<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, const 
   const Column* earlier_water = plan.fields.points.columns.find("water");
   fresh_ = earlier_water == nullptr || !earlier_water->allocated();
   const std::string volume = dim == 2 ? "m2" : "m3";
+  // After a stage in true time points weigh what grains and water do.
+  if (const Column* grains = plan.fields.points.columns.find("grain mass"); grains != nullptr && grains->allocated())
+    plan.at_entry([grains, mass = &plan.require_on_points("mass")] {
+      std::ranges::copy(grains->values(), mass->values().begin());
+    });
   plan.provide_on_points(shape_value_spec<dim>());
   plan.provide_on_points(shape_gradient_spec<dim>());
   const bool needs_suction = std::ranges::any_of(plan.problem.soils, [](const Soil& soil) {
@@ -54,6 +62,8 @@ void FixedStress<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, const 
   plan.at_record([this](double, meshes::FieldHistory& history) {
     counts_.tell(history);
     history.counters["passes of the split"] += static_cast<double>(std::exchange(passes_, 0));
+    if (plan_->stage.ends_with == StageEnd::failure)
+      history.counters["steps left unsettled near failure"] += static_cast<double>(std::exchange(left_, 0));
   });
 }
 
@@ -287,7 +297,10 @@ bool FixedStress<dim>::settle(int pass) {
   carried_->after_motion();
   const double change = std::sqrt(error / whole), scale = std::sqrt(size / whole) + pressure_scale();
   // Damped motion ends somewhere within its ratio: finer than that the two cannot agree.
-  if (change <= std::max(plan_->stage.relaxation.coupling_tolerance, rest.ratio) * scale) {
+  const bool agreed = change <= std::max(plan_->stage.relaxation.coupling_tolerance, rest.ratio) * scale;
+  const bool left = !agreed && plan_->stage.ends_with == StageEnd::failure && pass >= most_passes_near_failure;
+  left_ += left;
+  if (agreed || left) {
     // What the step gained is told in the pores of its last solve: they stay as they were there.
     std::ranges::copy(off_, unsettled_->values().begin());
     return false;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mpm/coupling/anderson.h"
-#include "mpm/coupling/carried_water.h"
 #include "mpm/coupling/relaxation.h"
+#include "mpm/coupling/skeleton_of_flow.h"
 
 namespace wetfront::mpm {
 
@@ -16,21 +16,22 @@ namespace wetfront::mpm {
 /// new pressures; the split ends when the pores foreseen and found differ by less than Relaxation::coupling_tolerance,
 /// expressed as pressure.
 template <int dim>
-class FixedStress {
+class FixedStress : public SkeletonOfFlow<dim> {
  public:
   explicit FixedStress(std::shared_ptr<SkeletonCycle<dim>> cycle) : cycle_(std::move(cycle)) {}
 
   /// `refresh(cells_changed)` makes what `seepage` derives from points anew.
   void join(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
-            const std::vector<SoilContent>& contents, std::function<void(bool)> refresh);
-  void add_storage(int region, const SoilContent& content) const;
-  void add_offsets() const;
+            const std::vector<SoilContent>& contents, std::function<void(bool)> refresh) override;
+  void add_storage(int region, const SoilContent& content) const override;
+  void add_offsets() const override;
 
-  void ready();        ///< stencils and pores of the present places
-  void begin_stage();  ///< the water of the points, and the skeleton at rest under the first pressures
-  void begin_step();
-  void end_step() { carried_->take_increments(); }
-  const CarriedWater<dim>& carried() const { return *carried_; }
+  void ready() override;
+  void begin_stage() override;  ///< and the skeleton comes to rest under the first pressures
+  void begin_step() override;
+  void end_step() override { carried_->take_increments(); }
+  const CarriedWater<dim>& carried() const override { return *carried_; }
+  bool in_true_time() const override { return false; }
 
  private:
   /// Integrals over a cell's points, kept while they move.
@@ -65,8 +66,8 @@ class FixedStress {
   std::vector<std::size_t> occupied_;
   std::vector<double> displaced_, history_, off_, stabilised_, weight_;
   Anderson anderson_;
-  bool fresh_ = true;  ///< no stage before has carried water
-  long passes_ = 0;
+  bool fresh_ = true;           ///< no stage before has carried water
+  long passes_ = 0, left_ = 0;  ///< left: steps whose flow and skeleton were left as they were, near failure
   RelaxationCounts counts_;
 };
 

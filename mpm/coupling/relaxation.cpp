@@ -1,5 +1,7 @@
 #include "mpm/coupling/relaxation.h"
 
+#include "mpm/coupling/skeleton_failed.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -115,12 +117,12 @@ double Relaxer<dim>::kinetic_energy() const {
 }
 
 template <int dim>
-double Relaxer<dim>::moved() const {
+double Relaxer<dim>::moved(const std::vector<double>& since) const {
   double most = 0;
   const std::size_t nodes = displacement_->size();
   for (std::size_t i = 0; i < nodes; ++i) {
     Vector<dim> d{};
-    for (int a = 0; a < dim; ++a) d[a] = (*displacement_)[a][i] - start_[static_cast<std::size_t>(a) * nodes + i];
+    for (int a = 0; a < dim; ++a) d[a] = (*displacement_)[a][i] - since[static_cast<std::size_t>(a) * nodes + i];
     most = std::max(most, length<dim>(d));
   }
   return most;
@@ -178,6 +180,10 @@ typename Relaxer<dim>::Outcome Relaxer<dim>::run() {
     const bool gains = outcome.ratio <= least_gain * before;
     const bool settled = std::ranges::all_of(cycle_->conditions, [](const auto& one) { return one->settled(); });
     if (settled && (outcome.ratio <= elastic_ratio || (outcome.ratio <= wanted && !(elastic && gains)))) break;
+    if (plan_.stage.ends_with == StageEnd::failure) {
+      look_for_failure(outcome);
+      if (outcome.stalled) break;
+    }
     if (outcome.iterations >= most_iterations_) give_up(outcome);
     if (elastic && !gains) elastic = false;
     before = outcome.ratio;
@@ -193,8 +199,26 @@ typename Relaxer<dim>::Outcome Relaxer<dim>::run() {
     ++outcome.iterations;
   }
   clear_velocities();
-  outcome.displacement = moved();
+  outcome.displacement = moved(start_);
   return outcome;
+}
+
+template <int dim>
+void Relaxer<dim>::look_for_failure(Outcome& outcome) const {
+  constexpr long every = 16;  // iterations: a cycle costs far more than this look, but for 16 of them it is nothing
+  const FailureCriterion& criterion = plan_.stage.failure;
+  const bool out_of_iterations = outcome.iterations >= most_iterations_;
+  if (!out_of_iterations && outcome.iterations % every != 0) return;
+  const double far = step_start_.empty() ? 0 : moved(step_start_);
+  outcome.stalled = out_of_iterations && outcome.ratio <= criterion.unbalanced_ratio;
+  if (far <= criterion.displacement && (!out_of_iterations || outcome.stalled)) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "no equilibrium: a node has moved %.3g m (limit %.3g m), %.3g of the forces are out of balance (limit "
+                "%.3g) after %ld iterations (limit %ld)",
+                far, criterion.displacement, outcome.ratio, criterion.unbalanced_ratio, outcome.iterations,
+                most_iterations_);
+  throw SkeletonFailed(text);
 }
 
 template <int dim>
@@ -205,7 +229,7 @@ void Relaxer<dim>::give_up(const Outcome& outcome) const {
                 "the skeleton does not come to rest: after %ld iterations %.3g of the forces are out of balance (an "
                 "equilibrium has at most %.3g), the farthest node has moved %.3g m and the kinetic energy %s over the "
                 "last three wave crossings. %s",
-                outcome.iterations, outcome.ratio, plan_.stage.relaxation.unbalanced_ratio, moved(),
+                outcome.iterations, outcome.ratio, plan_.stage.relaxation.unbalanced_ratio, moved(start_),
                 grows ? "has grown" : "has not grown",
                 grows ? "It has failed: go on with a dynamic stage"
                       : "Allow more iterations (most_iterations), or go on with a dynamic stage");
@@ -215,6 +239,7 @@ void Relaxer<dim>::give_up(const Outcome& outcome) const {
 void RelaxationCounts::tell(meshes::FieldHistory& history) {
   history.counters["relaxations"] += static_cast<double>(std::exchange(relaxations, 0));
   history.counters["cycles of relaxation"] += static_cast<double>(std::exchange(iterations, 0));
+  if (stalls > 0) history.counters["stalled relaxations"] += static_cast<double>(std::exchange(stalls, 0));
   const auto raise = [&history](const char* name, double& worst) {
     double& known = history.counters[name];
     known = std::max(known, std::exchange(worst, 0));

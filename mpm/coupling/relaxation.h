@@ -18,6 +18,7 @@ class Relaxer {
     long iterations = 0;      ///< cycles of the skeleton
     double ratio = 0;         ///< out of balance, at the end
     double displacement = 0;  ///< largest of a node [m]
+    bool stalled = false;     ///< ran out of iterations, but not by so much that it has failed
   };
 
   /// Provides its columns and listens to the cycle's forces.
@@ -25,9 +26,13 @@ class Relaxer {
 
   /// Forgets the stiffness: to be called at the beginning of every step of the plan, so that a continued run finds the
   /// same bits.
-  void begin_step() { factorised_ = false; }
+  void begin_step() {
+    factorised_ = false;
+    step_start_.assign(displacement_->values().begin(), displacement_->values().end());
+  }
   /// Throws StepFailed when the state does not come to rest: with the ratio, how far it has moved, and whether it still
-  /// speeds up.
+  /// speeds up. In a stage that ends with failure: SkeletonFailed by its FailureCriterion, where the displacement is
+  /// that since the beginning of the step.
   Outcome run();
 
  private:
@@ -38,7 +43,8 @@ class Relaxer {
   bool correct();
   void move_by_cycle();
   [[noreturn]] void give_up(const Outcome& outcome) const;
-  double moved() const;
+  void look_for_failure(Outcome& outcome) const;
+  double moved(const std::vector<double>& since) const;
 
   StagePlan<dim>& plan_;
   std::shared_ptr<SkeletonCycle<dim>> cycle_;
@@ -49,8 +55,8 @@ class Relaxer {
   double shortest_ = 0;   ///< altitude of a cell [m]
   double strongest_ = 0;  ///< sum |f| that was out of balance at the worst in this relaxation [N]
   long most_iterations_ = 0, crossing_ = 1;
-  std::vector<double> start_;         ///< displacement when the relaxation began
-  std::array<double, 4> energies_{};  ///< largest kinetic energy of the last wave crossings, newest first [J]
+  std::vector<double> start_, step_start_;  ///< displacement when the relaxation and the step of the plan began
+  std::array<double, 4> energies_{};        ///< largest kinetic energy of the last wave crossings, newest first [J]
 };
 
 /// A stage without liquid: each step of the plan is one relaxation.
@@ -70,13 +76,14 @@ class QuasiStaticMotion : public Effect<dim> {
 
 /// Writes what relaxations did into the history's counters.
 struct RelaxationCounts {
-  long iterations = 0, relaxations = 0;
+  long iterations = 0, relaxations = 0, stalls = 0;
   double ratio = 0, displacement = 0;  ///< the worst
 
   template <class Outcome>
   void add(const Outcome& outcome) {
     iterations += outcome.iterations;
     ++relaxations;
+    stalls += outcome.stalled;
     ratio = ratio > outcome.ratio ? ratio : outcome.ratio;
     displacement = displacement > outcome.displacement ? displacement : outcome.displacement;
   }

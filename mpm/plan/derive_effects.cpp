@@ -1,10 +1,14 @@
 #include "mpm/plan/derive_effects.h"
 
 #include "mpm/boundary/skeleton_boundaries.h"
+#include "mpm/coupling/fixed_stress.h"
 #include "mpm/coupling/relaxation.h"
+#include "mpm/coupling/true_time.h"
 #include "mpm/plan/check_numbers.h"
 #include "mpm/record/motion_ledger.h"
 #include "mpm/record/probes.h"
+#include "mpm/record/rest_watch.h"
+#include "mpm/record/riders.h"
 #include "mpm/seepage/free_drainage.h"
 #include "mpm/seepage/held_pressure.h"
 #include "mpm/seepage/periodic.h"
@@ -130,13 +134,12 @@ void join_seepage(StagePlan<dim>& plan, const std::shared_ptr<SkeletonCycle<dim>
     throw CannotPlan(where +
                      "uses the scheme semi-implicit in a deforming skeleton (that is not there yet). Use seepage with "
                      "quasi-static motion, or implicit-drag with dynamic motion");
-  if (cycle != nullptr && plan.stage.motion == SkeletonMotion::dynamic)
-    throw CannotPlan(
-        where +
-        "moves water by seepage through a skeleton with inertia (seepage has none: its steps are far longer "
-        "than a wave). Use quasi-static motion, or the scheme implicit-drag");
   auto water = std::make_shared<NodalWater<dim>>();
-  auto split = cycle != nullptr ? std::make_unique<FixedStress<dim>>(cycle) : nullptr;
+  std::unique_ptr<SkeletonOfFlow<dim>> split;
+  if (cycle != nullptr && plan.stage.motion == SkeletonMotion::dynamic)
+    split = std::make_unique<TrueTimeMotion<dim>>(cycle);
+  if (cycle != nullptr && plan.stage.motion == SkeletonMotion::quasi_static)
+    split = std::make_unique<FixedStress<dim>>(cycle);
   plan.join(std::make_unique<Seepage<dim>>(plan.stage.origin, *plan.stage.liquid, water, std::move(split)));
   join_water_boundaries(plan, water);
 }
@@ -216,6 +219,8 @@ std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size
   join_liquid(*plan, cycle);
   if (cycle != nullptr && plan->stage.motion == SkeletonMotion::dynamic)
     plan->join(std::make_unique<MotionLedger<dim>>(problem.soils.front().elastic->origin, cycle));
+  if (plan->stage.ends_with == StageEnd::rest) plan->join(std::make_unique<RestWatch<dim>>(plan->stage.origin));
+  if (!problem.riders.empty()) plan->join(std::make_unique<Riders<dim>>(problem.riders.front().origin));
   if (!problem.probes.empty()) plan->join(std::make_unique<Probes<dim>>(problem.probes.front().origin));
   plan->check();
   return plan;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/body_record.h"
 #include "mpm/grid/grid.h"
 #include "mpm/grid/material_points.h"
 #include "mpm/plan.h"
@@ -34,6 +35,7 @@ struct Fields {
   Grid<dim> grid;
   MaterialPoints<dim> points;
   ColumnSet run{1};
+  BodyRecord body;
 };
 
 /// The plan of one stage: columns, kernels in phases, time-step limits. Effects fill it when they join.

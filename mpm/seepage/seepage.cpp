@@ -116,7 +116,11 @@ void Seepage<dim>::join(StagePlan<dim>& plan) {
   add_flux(plan);
   step_ = std::make_unique<SeepageStep<dim>>(plan, *water_, columns_, scale);
   if (skeleton_ != nullptr) plan.add(Phase::pressure, "places of the points", [this] { skeleton_->begin_step(); });
-  plan.add(Phase::pressure, "Newton's method and step control", [this] { step_->run(); });
+  const bool in_true_time = skeleton_ != nullptr && skeleton_->in_true_time();
+  if (in_true_time)
+    plan.add(Phase::pressure, "Newton's method", [this] { step_->cover(); });
+  else
+    plan.add(Phase::pressure, "Newton's method and step control", [this] { step_->run(); });
   for (const auto& add : after_step_) add();
   plan.at_ready([this, &plan] { prepare(plan); });
   if (skeleton_ != nullptr)
@@ -132,8 +136,9 @@ void Seepage<dim>::join(StagePlan<dim>& plan) {
   plan.expect_steps(170 * std::pow(1e-4 / plan.stage.time_tolerance, 1 / order));
   plan.expect_cost(1.5e-6 * static_cast<double>(plan.fields.points.size()) +
                    1.6e-7 * std::pow(static_cast<double>(plan.fields.grid.node_count()), 1.5));
-  plan.add_accuracy_limit("accuracy", "local error of p <= time_tolerance (extrapolation against BDF2)",
-                          [this] { return step_->proposal(); });
+  if (!in_true_time)
+    plan.add_accuracy_limit("accuracy", "local error of p <= time_tolerance (extrapolation against BDF2)",
+                            [this] { return step_->proposal(); });
   plan.at_record([this](double, meshes::FieldHistory& history) {
     history.counters["Newton iterations"] += static_cast<double>(std::exchange(step_->newton_iterations, 0));
     history.counters["rejected steps"] += static_cast<double>(std::exchange(step_->rejected_steps, 0));

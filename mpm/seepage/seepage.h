@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm/coupling/fixed_stress.h"
+#include "mpm/coupling/skeleton_of_flow.h"
 #include "mpm/seepage/nodal_water.h"
 #include "mpm/seepage/seepage_step.h"
 #include "mpm/seepage/soil_content.h"
@@ -20,7 +20,7 @@ class Seepage : public Effect<dim> {
  public:
   /// `skeleton`: the split with a skeleton that deforms; null: rigid.
   Seepage(Origin origin, LiquidScheme scheme, std::shared_ptr<NodalWater<dim>> water,
-          std::unique_ptr<FixedStress<dim>> skeleton = nullptr)
+          std::unique_ptr<SkeletonOfFlow<dim>> skeleton = nullptr)
       : Effect<dim>(
             scheme == LiquidScheme::seepage ? "seepage" : "semi-implicit liquid", std::move(origin),
             scheme == LiquidScheme::seepage
@@ -49,7 +49,7 @@ class Seepage : public Effect<dim> {
 
   std::shared_ptr<NodalWater<dim>> water_;
   SeepageColumns columns_;
-  std::unique_ptr<FixedStress<dim>> skeleton_;
+  std::unique_ptr<SkeletonOfFlow<dim>> skeleton_;
   std::vector<SoilLaws> soils_;  ///< of every region
   std::vector<SoilContent> contents_;
   std::vector<int> slots_;        ///< matrix entries of every cell, cell_nodes^2 each

@@ -36,6 +36,9 @@ class SeepageStep {
 
   /// Takes one step from clock.time, shortens clock.end when it must; throws StepFailed.
   void run();
+  /// Takes the whole of the clock's step, by one backward Euler step or as many halves of it as it takes: where the
+  /// skeleton rules the steps, which are far shorter than the flow's own.
+  void cover();
   /// Sets sizes that depend on memory; call when columns are allocated.
   void prepare();
   double proposal() const;
@@ -58,6 +61,7 @@ class SeepageStep {
   double local_error(const StepPredictor& predictor) const;
   void accept(const Formula& formula, double dt);
   double first_step();
+  void cover_part(double begin, double end);
   [[noreturn]] void give_up(double dt) const;
 
   StagePlan<dim>& plan_;

@@ -2,6 +2,8 @@
 
 #include "mpm/laws/soil_water.h"
 
+#include <algorithm>
+
 namespace wetfront::mpm {
 
 /// Water per pore volume of a soil at pore pressure p: S(-p), plus linear storage S_max beta (p + entry) while the
@@ -25,6 +27,12 @@ class SoilContent {
   ValueAndSlope pore_stress(double p) const {
     const ValueAndSlope chi = effective_ ? curve_.effective_at(-p) : curve_.saturation_at(-p);
     return {chi.value * p, chi.value - p * chi.slope};
+  }
+  /// The pressure at which at(p) is this; beyond what the curve can tell its driest.
+  double pressure_at(double content) const {
+    if (content > curve_.s_max()) return (content - curve_.s_max()) / stored_per_pressure_ - entry_;
+    const double effective = (content - curve_.s_min()) / (curve_.s_max() - curve_.s_min());
+    return -curve_.suction_at(std::clamp(effective, 1e-6, 1.0));
   }
   double saturation(double p) const { return curve_.saturation(-p); }
   bool compressible() const { return stored_per_pressure_ > 0; }

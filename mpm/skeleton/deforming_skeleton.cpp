@@ -116,9 +116,18 @@ void DeformingSkeleton<dim>::choose_laws(StagePlan<dim>& plan) {
   }
 }
 
+namespace {
+
+/// Its cycle is the step of the plan; otherwise mpm/coupling/ runs it as often as it takes.
+bool rules_the_steps(const Stage& stage) {
+  return stage.motion == SkeletonMotion::dynamic && stage.liquid != LiquidScheme::seepage;
+}
+
+}  // namespace
+
 template <int dim>
 void DeformingSkeleton<dim>::add_kernels(StagePlan<dim>& plan) {
-  const bool dynamic = plan.stage.motion == SkeletonMotion::dynamic;
+  const bool dynamic = rules_the_steps(plan.stage);
   const bool first = plan.problem.skeleton.update == StressUpdate::usf;
   const auto add = [&](Phase phase, const char* name, std::function<void()> body) {
     return &(dynamic ? plan.add(phase, name, std::move(body)) : plan.add_iterated(phase, name, std::move(body)));
@@ -155,7 +164,7 @@ void DeformingSkeleton<dim>::add_limits(StagePlan<dim>& plan) {
     for (std::size_t r = 0; r < soils; ++r) step = std::min(step, wave(r));
     return step;
   };
-  if (plan.stage.motion != SkeletonMotion::dynamic) return;
+  if (!rules_the_steps(plan.stage)) return;
   for (std::size_t r = 0; r < soils_.size(); ++r)
     plan.add_stability_limit("compression wave [" + plan.problem.soils[r].name + "]",
                              "h/(sqrt(dim) c), c^2 = E_oed V/m_s, the least over the points",
