@@ -120,14 +120,15 @@ ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>
       plan.stage.liquid == LiquidScheme::implicit_drag || plan.stage.liquid == LiquidScheme::explicit_drag;
   const bool damping = plan.stage.motion == SkeletonMotion::quasi_static || plan.stage.local_damping > 0;
   damped_ = damping && !two_velocities;
-  if (two_velocities)
-    plan.at_finish([](meshes::FieldHistory& history) {
-      history.log.push_back(
-          "frictional contact: friction acts on the whole reaction of the skeleton, water pressure at the base "
-          "included (the "
-          "two-velocity schemes do not say what part is the water's), so the base holds too well under water");
+  if (!plan.stage.liquid) return;
+  if (two_velocities) {
+    plan.at_ready([this] {
+      ColumnSet& nodes = plan_.fields.grid.columns;
+      liquid_ = {&nodes.at("pressure"), &nodes.at("nodal water content"), &nodes.at("occupied volume"),
+                 &nodes.at("volume of flow")};
     });
-  if (!plan.stage.liquid || two_velocities) return;
+    return;
+  }
   volume_ = &plan.require_on_points("volume");
   wall_pressure_.assign(plan.fields.grid.node_count(), 0.0);
   weight_ = wall_pressure_;
@@ -165,16 +166,33 @@ void ContactCondition<dim>::find_wall_pressure() {
     if (const double p = (*node_pressure_)[0][node.index]; p > 0) wall_pressure_[node.index] = p;
 }
 
+/// Two velocities: nothing passes the base, so it stops the liquid with the skeleton; and what of the node's area is
+/// wetted by soil bears S p.
+template <int dim>
+typename ContactCondition<dim>::Wet ContactCondition<dim>::wet(const Node& node) const {
+  const double mass = nodes_.mass[0][node.index];
+  if (liquid_.pressure == nullptr) return {mass, wall_pressure_.empty() ? 0 : wall_pressure_[node.index]};
+  const double p = (*liquid_.pressure)[0][node.index], content = (*liquid_.content)[0][node.index],
+               volume = (*liquid_.volume)[0][node.index];
+  if (!(volume > 0)) return {mass, 0};
+  const Problem<dim>& problem = plan_.problem;
+  const double pores = 1 - mass / (problem.soils.front().grain_density * volume);
+  const double saturation = p > 0 ? 1 : std::min(1.0, content / pores);
+  const double filled = std::min(1.0, volume / (*liquid_.extent)[0][node.index]);
+  return {mass + problem.water->density * volume * content, filled * saturation * p};
+}
+
 /// Says whether the node sticks.
 template <int dim>
-bool ContactCondition<dim>::stop_at_planes(Node& node, Vector<dim>& v, double mass, double dt) {
+bool ContactCondition<dim>::stop_at_planes(Node& node, Vector<dim>& v, double dt) {
   const std::span<const Vector<dim>> normals{normal_.data() + node.first, node.count};
   const std::span<double> impulse{impulse_.data() + node.first, node.count};
   v = without_penetration<dim>(v, normals, impulse);
   double grip = 0;
+  const Wet with = wet(node);
   for (std::size_t k = 0; k < node.count; ++k) {
     if (!(impulse[k] > 0)) continue;
-    const double water = wall_pressure_.empty() ? 0 : wall_pressure_[node.index] * area_[node.first + k] * dt / mass;
+    const double water = with.pressure * area_[node.first + k] * dt / with.mass;
     grip += friction_[node.first + k] * std::max(impulse[k] - water, 0.0);
   }
   if (!(grip > 0)) return false;
@@ -215,7 +233,7 @@ void ContactCondition<dim>::limit_acceleration() {
       if (!node.held[a])
         v[a] =
             nodes_.velocity[a][node.index] + dt * (damped_ ? node.force[a] / mass : nodes_.acceleration[a][node.index]);
-    node.sticks = stop_at_planes(node, v, mass, dt);
+    node.sticks = stop_at_planes(node, v, dt);
     if (damped_ && !node.sticks) damp(node, v);
     for (int a = 0; a < dim; ++a)
       if (!node.held[a]) nodes_.acceleration[a][node.index] = (v[a] - nodes_.velocity[a][node.index]) / dt;

@@ -39,7 +39,12 @@ class ContactCondition : public NodalCondition<dim> {
   };
   void find_wall_pressure();
   void damp(const Node& node, Vector<dim>& v);
-  bool stop_at_planes(Node& node, Vector<dim>& v, double mass, double dt);
+  /// What the base stops at a node [kg], and the part of its reaction per area that is the water's [Pa].
+  struct Wet {
+    double mass, pressure;
+  };
+  Wet wet(const Node& node) const;
+  bool stop_at_planes(Node& node, Vector<dim>& v, double dt);
 
   StagePlan<dim>& plan_;
   SkeletonCycle<dim>& cycle_;
@@ -50,6 +55,9 @@ class ContactCondition : public NodalCondition<dim> {
   std::vector<double> friction_, area_, impulse_;
   const Column *node_pressure_ = nullptr, *pore_stress_ = nullptr, *volume_ = nullptr;
   std::vector<double> wall_pressure_, weight_;  ///< per node of the grid; with seepage only
+  struct {
+    const Column *pressure = nullptr, *content = nullptr, *volume = nullptr, *extent = nullptr;
+  } liquid_;  ///< of two velocities
 };
 
 }  // namespace wetfront::mpm

@@ -17,6 +17,7 @@ struct LiquidLaws {
   double saturated_mobility;  ///< k/mu [m2/(Pa s)]
   double grain_density;       ///< kg/m3
   double pressure_scale;      ///< Pa, of the retention curve
+  double driest;              ///< content at a thousand times that suction [-]
 
   double mobility(double p) const { return saturated_mobility * permeability.at(-p).value; }
 };
@@ -43,6 +44,7 @@ struct LiquidBlock {
 struct LiquidGroup {
   std::vector<std::size_t> blocks;  ///< by their places, the host first
   double volume = 0;                ///< m^dim
+  double pores = 0, water = 0;      ///< m^dim
 };
 
 /// Sums over the points around a node, one after the other in memory.
@@ -50,7 +52,7 @@ template <int dim>
 struct LiquidNode {
   double volume = 0;       ///< sum_p V_p N_i [m^dim]
   double water = 0;        ///< sum_p W_p N_i [m^dim]
-  Vector<dim> momentum{};  ///< sum_p W_p v_l N_i
+  Vector<dim> momentum{};  ///< sum_p W_p (v_l - v_s) N_i
   double pressure = 0;     ///< sum of share * p
   Vector<dim> centre{};    ///< sum of share * x_c
   double mobility = 0;     ///< sum of share * K(p_c)

@@ -37,8 +37,11 @@ void TwoVelocityLiquid<dim>::join_moving(StagePlan<dim>& plan) {
   w.flow_volume = &plan.provide_on_nodes({"volume of flow", "V_i", dim == 2 ? "m2" : "m3", 1, Lifetime::step});
   w.solid_velocity = &plan.provide_on_nodes({"skeleton velocity", "v_s", "m/s", dim});
   typename MovingLiquid<dim>::PointColumns points{&plan.require_on_points("position"),
-                                                  &plan.require_on_points("volume"), &plan.require_on_points("mass"),
-                                                  point_water_, point_velocity_};
+                                                  &plan.require_on_points("volume"),
+                                                  &plan.require_on_points("mass"),
+                                                  &plan.require_on_points("velocity"),
+                                                  point_water_,
+                                                  point_velocity_};
   moving_ = std::make_unique<MovingLiquid<dim>>(plan, w, points, liquid_weight(plan));
   w.liquid = moving_.get();
   w.body = &moving_->body();
@@ -69,11 +72,11 @@ void TwoVelocityLiquid<dim>::clear_left_nodes() {
 
 template <int dim>
 void TwoVelocityLiquid<dim>::add_moving_momentum(StagePlan<dim>& plan) {
-  // Contact and moving sides have had their say: through walls the liquid follows the skeleton they leave.
-  plan.add(Phase::accelerate, "liquid along walls", [this, &plan] {
-    if (cycle_->conditions.size() > 1) moving_->follow_walls(plan.clock.dt);
+  plan.add(Phase::accelerate, "liquid after contact and sides", [this, &plan] {
+    if (cycle_->conditions.size() > 1) moving_->follow_skeleton(plan.clock.dt);
   });
-  plan.add(Phase::point_velocity, "liquid velocity to points and back", [this] { moving_->points(); });
+  plan.add(Phase::point_velocity, "liquid velocity to points and back",
+           [this, &plan] { moving_->points(plan.clock.dt); });
 }
 
 template <int dim>

@@ -22,13 +22,19 @@ MovingLiquid<dim>::MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& wat
       shares_(blocks_.size()),
       nodes_(plan.fields.grid.node_count()),
       back_(plan.fields.grid.node_count()),
+      towards_(plan.fields.grid.node_count()),
+      solid_at_(plan.fields.grid.node_count()),
+      decided_(plan.fields.grid.node_count()),
       drag_(plan.fields.grid.node_count()),
       full_(plan.fields.grid.node_count()),
       all_(plan.fields.grid.node_count()) {
+  // As cells that were near the surface get theirs back: a continued run has the same bits.
+  for (std::size_t cell = 0; cell < geometry_.size(); ++cell) set_faces(cell, true);
   for (const Soil& soil : plan.problem.soils) {
     const TabulatedSoilWater laws = tabulated_soil_water(soil, *plan.problem.water);
     laws_.push_back({TabulatedContent(laws.curve, plan.problem.water->bulk_modulus), laws.permeability,
-                     laws.saturated_mobility, soil.grain_density, laws.curve.pressure_scale()});
+                     laws.saturated_mobility, soil.grain_density, laws.curve.pressure_scale(), 0});
+    laws_.back().driest = laws_.back().content.value(-1e3 * laws_.back().pressure_scale);
   }
 }
 
@@ -102,7 +108,7 @@ void MovingLiquid<dim>::sum_block(const Block& block, LinearShape<dim>& shape, c
     water.add(w, at.value);
     std::array<Lanes, 3> moment{};
     for (int a = 0; a < dim; ++a) {
-      momentum[a].add(w * load((*points_.velocity)[a] + q), at.value);
+      momentum[a].add(w * (load((*points_.velocity)[a] + q) - load((*points_.solid_velocity)[a] + q)), at.value);
       moment[a] = v * x[a];
     }
     first_moment += mpm::sums(moment[0], moment[1], moment[2], load(mass + q));

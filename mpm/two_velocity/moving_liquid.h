@@ -5,6 +5,8 @@
 #include "mpm/two_velocity/moving_cells.h"
 #include "mpm/two_velocity/water.h"
 
+#include <span>
+
 namespace wetfront::mpm {
 
 /// The two-velocity liquid in a skeleton that moves: the same scheme as at rest, with sums over points made anew in
@@ -14,7 +16,7 @@ template <int dim>
 class MovingLiquid {
  public:
   struct PointColumns {
-    Column *position, *volume, *mass, *water, *velocity;
+    Column *position, *volume, *mass, *solid_velocity, *water, *velocity;
   };
   MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& water, const PointColumns& points, Vector<dim> weight);
 
@@ -23,9 +25,11 @@ class MovingLiquid {
   void begin_body();  ///< for the cells that hold points now, without a look whether they are others
   void add_force();
   void solve(double dt);
-  /// Through walls the liquid moves with the skeleton, whatever other conditions have made of that.
-  void follow_walls(double dt);
-  void points();
+  /// Who decides at the surface does so once both phases have been accelerated, before contact and sides.
+  void after_solve(std::function<void()> body) { after_solve_.push_back(std::move(body)); }
+  /// Where contact and sides have changed the skeleton, the drag anew.
+  void follow_skeleton(double dt);
+  void points(double dt);
   void relative_velocity();
   void balance(double dt, bool as_printed);
   /// The longest stable step of a soil's blocks [s].
@@ -49,6 +53,7 @@ class MovingLiquid {
   void near_surface(const Body& body) const;
   void sum_block(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws);
   void push_of_crooked_cell(const Block& block, const LinearShape<dim>& shape, LiquidBlock<dim>& sums) const;
+  bool near_kink(const LiquidBlock<dim>& sums, double change, const LiquidLaws& laws) const;
   double fill_of(std::size_t cell) const;
   void find_push(const Block& block, const LinearShape<dim>& shape, const double (&share)[cell_nodes<dim>],
                  LiquidBlock<dim>& sums) const;
@@ -56,6 +61,7 @@ class MovingLiquid {
   void take_pressure(std::size_t place, double pressure, double content, const LiquidLaws& laws);
   void group_slivers();
   void share_pressures();
+  void drain(std::span<const Block> blocks, double per_volume, double content);
   double outflow(std::size_t cell, const std::array<double*, dim>& flux) const;
   void finish_nodes();
   void add_flow_volume();
@@ -75,11 +81,16 @@ class MovingLiquid {
   std::vector<std::array<double, cell_nodes<dim>>> shares_;  ///< sum_p V_p N_i of cells near the surface, by place
   std::vector<LiquidGroup> groups_;
   std::size_t group_count_ = 0;
+  std::vector<Block> members_;  ///< of the group at hand
   std::vector<LiquidNode<dim>> nodes_;
-  std::vector<Vector<dim>> back_;  ///< momentum mapped back
-  std::vector<double> drag_;       ///< r of the nodes [1/s]
-  std::vector<double> full_;       ///< integral of N_i over the inner cells of the body [m^dim]
-  std::vector<double> all_;        ///< the same over all its cells [m^dim]
+  std::vector<Vector<dim>> back_;      ///< (W (v_l - v_s))_i mapped back
+  std::vector<Vector<dim>> towards_;   ///< what the points' v_l - v_s is drawn to
+  std::vector<Vector<dim>> solid_at_;  ///< v_s at the start of the step
+  std::vector<Vector<dim>> decided_;   ///< v_s' of liquid and skeleton alone
+  double least_drag_ = 0;              ///< of the body's nodes [1/s]
+  std::vector<double> drag_;           ///< r of the nodes [1/s]
+  std::vector<double> full_;           ///< integral of N_i over the inner cells of the body [m^dim]
+  std::vector<double> all_;            ///< the same over all its cells [m^dim]
   struct Hanging {
     int node = 0;
     Vector<dim> force{};
@@ -92,7 +103,7 @@ class MovingLiquid {
     double height = 0;
   };
   std::vector<Rained> rained_;
-  std::vector<std::function<void()>> listeners_;
+  std::vector<std::function<void()>> listeners_, after_solve_;
   double stored_ = 0, held_ = 0;
 };
 

@@ -87,21 +87,20 @@ void MovingLiquid<dim>::share_pressures() {
   const Grid<dim>& grid = plan_.fields.grid;
   for (std::size_t g = 0; g < group_count_; ++g) {
     LiquidGroup& group = groups_[g];
-    double pores = 0, water = 0;
     Vector<dim> centre{};
-    group.volume = 0;
+    group.volume = group.pores = group.water = 0;
     for (std::size_t at : group.blocks) {
       const LiquidBlock<dim>& sums = blocks_[at];
-      pores += sums.pores;
-      water += sums.water;
+      group.pores += sums.pores;
+      group.water += sums.water;
       group.volume += sums.volume;
       for (int a = 0; a < dim; ++a) centre[a] += sums.volume * sums.centre[a];
     }
     for (double& component : centre) component /= group.volume;
     const LiquidLaws& laws = laws_of(group.blocks[0]);
-    const double content = water / pores, p = pressure_at(laws, content, centre, cell_of(group.blocks[0]));
+    const double content = group.water / group.pores, p = pressure_at(laws, content, centre, cell_of(group.blocks[0]));
     const double potential = p - dot<dim>(weight_, centre);
-    stored_ += pores * laws.content.value(p);
+    stored_ += group.pores * laws.content.value(p);
     for (std::size_t at : group.blocks) {
       take_pressure(at, potential + dot<dim>(weight_, blocks_[at].centre), content, laws);
       blocks_[at].saturation = laws.content.saturation(content, p);
@@ -168,15 +167,15 @@ void MovingLiquid<dim>::add_flow_volume() {
   double* flow = (*w_.flow_volume)[0];
   for (int i : body_.nodes()) flow[i] = full_[static_cast<std::size_t>(i)];
   for (std::size_t cell : body_.surface_cells()) {
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      flow[grid.cell_nodes_of(cell)[i]] += blocks_[cell].fill * geometry_[cell].extent[i];
-    // Beyond slivers: water runs along them as along a half-filled cell, not with the acceleration of a thin film.
-    for (std::size_t cell : body_.surface_cells())
-      for (int i = 0; i < cell_nodes<dim>; ++i) {
-        const auto node = static_cast<std::size_t>(grid.cell_nodes_of(cell)[i]);
-        flow[node] = std::max(flow[node], 0.5 * all_[node]);
-      }
+    const double fill = fill_of(cell);
+    for (int i = 0; i < cell_nodes<dim>; ++i) flow[grid.cell_nodes_of(cell)[i]] += fill * geometry_[cell].extent[i];
   }
+  // Beyond slivers: water runs along them as along a half-filled cell, not with the acceleration of a thin film.
+  for (std::size_t cell : body_.surface_cells())
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      const auto node = static_cast<std::size_t>(grid.cell_nodes_of(cell)[i]);
+      flow[node] = std::max(flow[node], 0.5 * all_[node]);
+    }
 }
 
 template <int dim>
@@ -190,11 +189,13 @@ double MovingLiquid<dim>::fill_of(std::size_t cell) const {
 
 template void MovingLiquid<2>::group_slivers();
 template void MovingLiquid<2>::open_faces();
+template void MovingLiquid<2>::set_faces(std::size_t, bool);
 template void MovingLiquid<2>::share_pressures();
 template void MovingLiquid<2>::finish_nodes();
 template double MovingLiquid<2>::fill_of(std::size_t) const;
 template void MovingLiquid<3>::group_slivers();
 template void MovingLiquid<3>::open_faces();
+template void MovingLiquid<3>::set_faces(std::size_t, bool);
 template void MovingLiquid<3>::share_pressures();
 template void MovingLiquid<3>::finish_nodes();
 template double MovingLiquid<3>::fill_of(std::size_t) const;

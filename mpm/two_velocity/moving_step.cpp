@@ -2,6 +2,10 @@
 #include "mpm/skeleton/skeleton_columns.h"
 #include "mpm/two_velocity/moving_liquid.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 /// A step of the two-velocity liquid in a moving body (README.md section 3b: phase -> equation).
 namespace wetfront::mpm {
 
@@ -16,9 +20,10 @@ void MovingLiquid<dim>::add_force() {
     const LiquidNode<dim>& node = nodes_[i];
     Vector<dim> v{};
     const double per_water = node.water > 0 ? 1 / node.water : 0;
-    for (int a = 0; a < dim; ++a) v[a] = node.momentum[a] * per_water - solid[a][i];
+    for (int a = 0; a < dim; ++a) v[a] = node.momentum[a] * per_water;
     w_.walls.project(i, v);
     for (int a = 0; a < dim; ++a) {
+      solid_at_[i][a] = solid[a][i];
       velocity[a][i] = v[a] + solid[a][i];
       force[a][i] = 0;
       pull[a][i] += weight_[a] * node.water;
@@ -49,15 +54,25 @@ void MovingLiquid<dim>::add_force() {
 template <int dim>
 void MovingLiquid<dim>::solve(double dt) {
   w_.moving->solve(w_, body_.nodes(), dt);
+  const double *content = (*w_.content)[0], *mobility = (*w_.mobility)[0];
+  least_drag_ = std::numeric_limits<double>::infinity();
+  for (int i : body_.nodes()) least_drag_ = std::min(least_drag_, content[i] / (mobility[i] * w_.density));
+  for (const auto& body : after_solve_) body();
+  for (int i : body_.nodes()) {
+    const auto node = static_cast<std::size_t>(i);
+    decided_[node] = w_.moving->get_new(solid_at_[node], node, dt);
+  }
 }
 
+/// What contact and sides have made of the skeleton is what drags: a base that holds it holds the liquid too, which
+/// would else run on by g dt, several K_s.
 template <int dim>
-void MovingLiquid<dim>::follow_walls(double dt) {
+void MovingLiquid<dim>::follow_skeleton(double dt) {
   for (int index : body_.nodes()) {
     const auto i = static_cast<std::size_t>(index);
-    if (!w_.walls.any(i)) continue;
-    const Vector<dim> solid = w_.moving->get_new(i, dt);
-    Vector<dim> v = mpm::at<dim>(*w_.velocity_new, i);
+    const Vector<dim> solid = w_.moving->get_new(solid_at_[i], i, dt);
+    if (solid == decided_[i]) continue;
+    Vector<dim> v = w_.moving->liquid_against(w_, i, solid, dt);
     for (int a = 0; a < dim; ++a) v[a] -= solid[a];
     w_.walls.project(i, v);
     for (int a = 0; a < dim; ++a) v[a] += solid[a];
@@ -65,17 +80,36 @@ void MovingLiquid<dim>::follow_walls(double dt) {
   }
 }
 
-/// Eq. 13 (FLIP) and 14.
+/// Eq. 13 (FLIP) and 14, of the velocity against the skeleton:
+///
+///   v_l += sum N (v_l' - v_l)_i - e (u_p - sum N u_i),   u = v_l - v_s,   e <= 1/50.
+///
+/// FLIP never sees what points of a cell do against each other, so no drag ever slowed it, and it came back as flux
+/// when points crossed: e is a share of PIC, no more of it than the least drag would take in the step. u_i is the mean
+/// of u_p by water, so that momentum is kept whatever e is.
 template <int dim>
-void MovingLiquid<dim>::points() {
+void MovingLiquid<dim>::points(double dt) {
   const auto before = axes<dim>(*w_.velocity), after = axes<dim>(*w_.velocity_new);
-  for (int i : body_.nodes()) back_[static_cast<std::size_t>(i)] = {};
+  constexpr double most_share = 0.02;
+  const double share = most_share * dt * least_drag_ / (1 + dt * least_drag_);
+  for (int index : body_.nodes()) {
+    const auto i = static_cast<std::size_t>(index);
+    back_[i] = {};
+    const Vector<dim> solid_new = w_.moving->get_new(solid_at_[i], i, dt);
+    const double per_water = nodes_[i].water > 0 ? 1 / nodes_[i].water : 0;
+    for (int a = 0; a < dim; ++a) {
+      const double against = before[a][i] - solid_at_[i][a];
+      towards_[i][a] = after[a][i] - solid_new[a] + (nodes_[i].momentum[a] * per_water - against);
+    }
+  }
   LinearShape<dim> shape(plan_.fields.grid);
   typename LinearShape<dim>::Stencil at;
   for (const Block& block : plan_.fields.points.blocks()) {
-    std::array<Vector<dim>, cell_nodes<dim>> change;
-    for (int i = 0; i < cell_nodes<dim>; ++i)
+    std::array<Vector<dim>, cell_nodes<dim>> change, towards;
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      towards[i] = towards_[static_cast<std::size_t>(block.nodes[i])];
       for (int a = 0; a < dim; ++a) change[i][a] = after[a][block.nodes[i]] - before[a][block.nodes[i]];
+    }
     std::array<NodeSums<dim>, dim> momentum;
     const std::size_t end = block.first + block.count;
     shape.enter(block);
@@ -87,10 +121,15 @@ void MovingLiquid<dim>::points() {
       const Lanes w = load((*points_.water)[0] + q);
       for (int a = 0; a < dim; ++a) {
         double* place = (*points_.velocity)[a] + q;
-        Lanes v = load(place);
-        for (int i = 0; i < cell_nodes<dim>; ++i) v += at.value[i] * change[i][a];
-        store_live(v, place, live);
-        momentum[a].add(w * v, at.value);
+        const Lanes solid = load((*points_.solid_velocity)[a] + q);
+        Lanes u = load(place) - solid, mean(0.0);
+        for (int i = 0; i < cell_nodes<dim>; ++i) {
+          u += at.value[i] * change[i][a];
+          mean += at.value[i] * towards[i][a];
+        }
+        u -= share * (u - mean);
+        store_live(u + solid, place, live);
+        momentum[a].add(w * u, at.value);
       }
     }
     double sums[dim][cell_nodes<dim>];
@@ -103,7 +142,7 @@ void MovingLiquid<dim>::points() {
     const auto i = static_cast<std::size_t>(index);
     const double per_water = nodes_[i].water > 0 ? 1 / nodes_[i].water : 0;
     Vector<dim> v{};
-    for (int a = 0; a < dim; ++a) v[a] = back_[i][a] * per_water - solid[a][i];
+    for (int a = 0; a < dim; ++a) v[a] = back_[i][a] * per_water;
     w_.walls.project(i, v);
     for (int a = 0; a < dim; ++a) velocity[a][i] = v[a] + solid[a][i];
   }
@@ -133,42 +172,17 @@ double MovingLiquid<dim>::outflow(std::size_t cell, const std::array<double*, di
   return out;
 }
 
-/// Step VI: W_p -= dt (V_p/V_c) sum_i f_ci . w_i, over all cells of a group together.
-template <int dim>
-void MovingLiquid<dim>::balance(double dt, bool as_printed) {
-  const auto flux = axes<dim>(as_printed ? *w_.velocity : *w_.flux);
-  double* water = (*points_.water)[0];
-  const double* volume = (*points_.volume)[0];
-  const auto leaves = [&](std::size_t at) {
-    const LiquidBlock<dim>& sums = blocks_[at];
-    return sums.part * outflow(cell_of(at), flux) * (as_printed ? sums.water / sums.volume : 1.0);
-  };
-  for (const Block& block : plan_.fields.points.blocks()) {
-    const LiquidBlock<dim>& sums = blocks_[place(block)];
-    double out = 0, all = sums.volume;
-    if (sums.group < 0) {
-      out = leaves(place(block));
-    } else {
-      const LiquidGroup& group = groups_[static_cast<std::size_t>(sums.group)];
-      for (std::size_t at : group.blocks) out += leaves(at);
-      all = group.volume;
-    }
-    const double change = -dt * out / all;
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) water[q] += change * volume[q];
-  }
-}
-
 template void MovingLiquid<2>::add_force();
 template void MovingLiquid<2>::solve(double);
-template void MovingLiquid<2>::follow_walls(double);
-template void MovingLiquid<2>::points();
+template void MovingLiquid<2>::follow_skeleton(double);
+template void MovingLiquid<2>::points(double);
 template void MovingLiquid<2>::relative_velocity();
-template void MovingLiquid<2>::balance(double, bool);
+template double MovingLiquid<2>::outflow(std::size_t, const std::array<double*, 2>&) const;
 template void MovingLiquid<3>::add_force();
 template void MovingLiquid<3>::solve(double);
-template void MovingLiquid<3>::follow_walls(double);
-template void MovingLiquid<3>::points();
+template void MovingLiquid<3>::follow_skeleton(double);
+template void MovingLiquid<3>::points(double);
 template void MovingLiquid<3>::relative_velocity();
-template void MovingLiquid<3>::balance(double, bool);
+template double MovingLiquid<3>::outflow(std::size_t, const std::array<double*, 3>&) const;
 
 }  // namespace wetfront::mpm

@@ -155,6 +155,7 @@ void RainOnTwoVelocity<dim>::correct(double time, double dt) {
     if (node.closed) {
       (*ponded_)[0][i] = 1;
       node.flux = 0;
+      if (w.body != nullptr) close(i, dt);
       continue;
     }
     Velocities<dim> capacity = w.skeleton->driven(w, i, node.mobility, dt);
@@ -181,13 +182,28 @@ void RainOnTwoVelocity<dim>::correct(double time, double dt) {
   }
 }
 
+/// The little that walls leave open at a node is closed too: what passed there would be in no ledger.
+template <int dim>
+void RainOnTwoVelocity<dim>::close(std::size_t i, double dt) {
+  TwoVelocityWater<dim>& w = *water_;
+  Velocities<dim> v{at<dim>(*w.velocity_new, i), w.skeleton->get_new(i, dt)};
+  Vector<dim> against{};
+  for (int a = 0; a < dim; ++a) against[a] = v.solid[a] - v.liquid[a];
+  w.skeleton->change_relative(w, i, against, v);
+  put<dim>(*w.velocity_new, i, v.liquid);
+  w.skeleton->set_new(i, v.solid, dt);
+}
+
 /// Step III: mapping points back blurs the surface velocity; its normal part is what step II decided. (Only the liquid
 /// is corrected: the skeleton's nodal velocity has moved its points already.)
 template <int dim>
 void RainOnTwoVelocity<dim>::restore() {
   TwoVelocityWater<dim>& w = *water_;
   for (const Node& node : nodes_) {
-    if (node.closed) continue;
+    if (node.closed) {
+      if (w.body != nullptr) put<dim>(*w.velocity, node.index, w.skeleton->velocity(node.index));
+      continue;
+    }
     const Velocities<dim> v{at<dim>(*w.velocity, node.index), w.skeleton->velocity(node.index)};
     const double missing = node.flux / (*w.content)[0][node.index] - normal_part(node, v);
     for (int a = 0; a < dim; ++a) (*w.velocity)[a][node.index] += missing * node.along[a];
@@ -284,7 +300,12 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
   }
   for (const RainSide& rain : rains_)
     for (double start : rain.rain.start) plan.add_break(start);
-  plan.add(Phase::accelerate, "rainfall", [this, &plan] { correct(plan.clock.time, plan.clock.dt); });
+  const auto decide = [this, &plan] { correct(plan.clock.time, plan.clock.dt); };
+  // Where the skeleton moves, before contact and sides have their say, and seen by the ledger of motion.
+  if (water_->body != nullptr)
+    water_->liquid->after_solve(decide);
+  else
+    plan.add(Phase::accelerate, "rainfall", decide);
   plan.add(Phase::point_velocity, "rainfall after mapping back", [this] { restore(); });
   plan.add(water_->conductivities_in, "rained surface", [this, &plan] {
     surface_state();
@@ -292,10 +313,9 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
   });
   plan.at_ready([this] { surface_state(); });
   plan.at_begin([this, &plan] { anticipate(plan.begin_time()); });
-  plan.add(Phase::carry, "rain ledger", [this, &plan] {
-    book(plan.clock.time, plan.clock.dt);
-    fill_ledger(plan.clock.end);
-  });
+  // Before points change cells: the nodes of another body know nothing of this step.
+  plan.add(Phase::pressure, "rain and run-off", [this, &plan] { book(plan.clock.time, plan.clock.dt); });
+  plan.add(Phase::carry, "rain ledger", [this, &plan] { fill_ledger(plan.clock.end); });
   plan.at_finish([this, &plan](meshes::FieldHistory& history) {
     history.rain_by_node.clear();
     for (const Node& node : nodes_)

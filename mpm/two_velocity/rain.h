@@ -40,6 +40,7 @@ class RainOnTwoVelocity : public Effect<dim> {
   void settle(std::size_t index, Node& node);
   void refuse_to_miss(double time) const;
   void correct(double time, double dt);
+  void close(std::size_t node, double dt);
   void restore();
   void surface_state();
   void anticipate(double time);

@@ -61,6 +61,24 @@ Velocities<dim> DraggedSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& 
 }
 
 template <int dim, class Drag>
+Vector<dim> DraggedSkeleton<dim, Drag>::liquid_against(const TwoVelocityWater<dim>& water, std::size_t i,
+                                                       const Vector<dim>& solid, double dt) const {
+  const double drag = dt * (*water.content)[0][i] / ((*water.mobility)[0][i] * water.density);
+  const double per_force = dt / (water.density * (*water.flow_volume)[0][i]);
+  Vector<dim> v{};
+  for (int a = 0; a < dim; ++a) {
+    NodalDrag node;
+    node.before = (*water.velocity)[a][i];
+    node.solid_before = this->velocity_[a][i];
+    node.pushed = node.before + per_force * (*water.force)[a][i];
+    node.both = solid[a];  // whatever the liquid does to it
+    node.drag = drag;
+    v[a] = Drag::liquid(node);
+  }
+  return v;
+}
+
+template <int dim, class Drag>
 void DraggedSkeleton<dim, Drag>::solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) {
   for (int index : nodes) {
     const auto i = static_cast<std::size_t>(index);

@@ -67,6 +67,15 @@ class MovingSkeleton : public SkeletonAtNodes<dim> {
   /// Step II at every node of the body: both velocities, walls, and the skeleton's as its acceleration.
   virtual void solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) = 0;
 
+  /// v_s + dt a with v_s as it was at the start of the step, when the column holds another one already.
+  Vector<dim> get_new(Vector<dim> start, std::size_t node, double dt) const {
+    for (int a = 0; a < dim; ++a) start[a] += dt * acceleration_[a][node];
+    return start;
+  }
+  /// The liquid's velocity against a skeleton that others (contact, moving sides) have given the velocity `solid`.
+  virtual Vector<dim> liquid_against(const TwoVelocityWater<dim>& water, std::size_t node, const Vector<dim>& solid,
+                                     double dt) const = 0;
+
   Column& force() { return force_; }
   Column& velocity_column() { return velocity_; }
 
@@ -88,6 +97,8 @@ class DraggedSkeleton final : public MovingSkeleton<dim> {
   using MovingSkeleton<dim>::MovingSkeleton;
   Velocities<dim> driven(const TwoVelocityWater<dim>& water, std::size_t node, double mobility,
                          double dt) const override;
+  Vector<dim> liquid_against(const TwoVelocityWater<dim>& water, std::size_t node, const Vector<dim>& solid,
+                             double dt) const override;
   void solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) override;
 };
 

@@ -226,7 +226,7 @@ TEST(TwoVelocity, PlanHasNoRainWithoutRain) {
   const auto rained = plan(problem).front();
   problem.water_boundary.clear();
   const auto dry = plan(problem).front();
-  EXPECT_EQ(rained.kernels.size(), dry.kernels.size() + 4);
+  EXPECT_EQ(rained.kernels.size(), dry.kernels.size() + 5);
   const auto is = [](const char* name) { return testing::Field(&ColumnInfo::name, name); };
   EXPECT_THAT(dry.columns, testing::UnorderedElementsAre(is("position"), is("volume"), is("shape value"),
                                                          is("shape gradient"), is("water"), is("liquid velocity")));
