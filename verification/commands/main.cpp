@@ -41,7 +41,7 @@ struct Arguments {
   commands::Paths scenes;
   std::filesystem::path scene, folder, out;
   std::string name, suite, only, accuracy;
-  bool page = false, no_store = false, heavy = false;
+  bool resume = false, page = false, no_store = false, heavy = false;
   wetfront::verification::ReferenceStore store{"out/.references"};
 };
 
@@ -95,11 +95,12 @@ int main(int argc, char** argv) {
   const auto store = [&] { return arguments.no_store ? wetfront::verification::ReferenceStore{} : arguments.store; };
 
   auto* run = add("run", "mesh -> reference -> MPM -> comparison -> report", [&] {
-    return commands::run(arguments.scenes, arguments.out, {store(), fraction(arguments.accuracy)});
+    return commands::run(arguments.scenes, arguments.out, {store(), fraction(arguments.accuracy), arguments.resume});
   });
   add_scenes(run, arguments);
   run->add_option("--out", arguments.out, "output folder (default out/<scene>; with several scenes the folder above)");
 
+  run->add_flag("--resume", arguments.resume, "go on from the checkpoint that a stopped run has left in its folder");
   run->add_option("--accuracy", arguments.accuracy,
                   "refine cells and time steps of the MPM until its own estimated error is within this, e.g. 1%");
   add_store(run, arguments);

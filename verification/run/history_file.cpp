@@ -1,48 +1,7 @@
 #include "verification/run/history_file.h"
 
-#include "verification/run/content_hash.h"
-
-#include <nlohmann/json.hpp>
-
-#include <unistd.h>
-
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-
-namespace wetfront::meshes {
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Side, name, faces)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Mesh, dim, nodes, cells, region, region_names, sides)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PointCloud, position, pressure, saturation)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Snapshot, time, stage, node_pressure, node_saturation, cell_pressure,
-                                   cell_saturation, cells_hold_averages, points, node_displacement)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LedgerRow, time, rain_asked, infiltrated, run_off, outflow, stored, stored_points)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SideLedger, side, condition, asked, run_off, outflow, evaporated, demanded)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionRow, time, kinetic, potential, stress_work, load_work, resistance, drift,
-                                   motion, momentum, impulse, reaction, momentum_drift)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Gauge, name, position, time, pressure, saturation)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NodeRain, node, position, asked, imposed, run_off)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(KernelCost, phase, kernel, cpu_seconds, calls)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FieldHistory, solver, mesh, snapshots, ledger, sides, motion, gauges, rain_by_node,
-                                   cost, cpu_seconds, counters, log)
-
-// A member that is not written would come back empty; these do not compile when one is added.
-namespace {
-[[maybe_unused]] void every_member_is_written(const FieldHistory& history) {
-  [[maybe_unused]] const auto& [solver, mesh, snapshots, ledger, sides, motions, gauges, rain, cost, cpu, counters,
-                                log] = history;
-  [[maybe_unused]] const auto& [time, stage, np, ns, cp, cs, averages, points, displacement] = snapshots[0];
-  [[maybe_unused]] const auto& [t, asked, infiltrated, run_off, outflow, stored, stored_points] = ledger[0];
-  [[maybe_unused]] const auto& [side, condition, a, r, o, e, d] = sides[0];
-  [[maybe_unused]] const auto& [when, kinetic, potential, stress, load, resistance, drift, motion, momentum, impulse,
-                                reaction, momentum_drift] = motions[0];
-  [[maybe_unused]] const auto& [gauge, position, times, pressure, saturation] = gauges[0];
-  [[maybe_unused]] const auto& [node, place, all, imposed, off] = rain[0];
-}
-}  // namespace
-
-}  // namespace wetfront::meshes
+#include "verification/run/history_json.h"
+#include "verification/run/sealed_file.h"
 
 namespace wetfront::verification {
 namespace {
@@ -52,30 +11,13 @@ constexpr const char* format = "wetfront history 2";
 }  // namespace
 
 void write_history(const meshes::FieldHistory& history, const std::filesystem::path& path) {
-  const std::vector<std::uint8_t> content = nlohmann::json::to_cbor(nlohmann::json(history));
-  ContentHash sum;
-  sum.add(content);
-  std::filesystem::create_directories(path.parent_path());
-  // Two runs may write the same solution at once: each moves its own file into place.
-  const std::filesystem::path draft = path.string() + "." + std::to_string(getpid());
-  {
-    std::ofstream out(draft, std::ios::binary);
-    out << format << ' ' << sum.text() << '\n';
-    out.write(reinterpret_cast<const char*>(content.data()), static_cast<std::streamsize>(content.size()));
-    if (!out.flush()) throw std::runtime_error("cannot write " + draft.string() + " (is the disk full?)");
-  }
-  std::filesystem::rename(draft, path);
+  write_sealed(format, nlohmann::json::to_cbor(nlohmann::json(history)), path);
 }
 
 std::optional<meshes::FieldHistory> read_history(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string head;
-  if (!std::getline(in, head)) return {};
-  const std::vector<std::uint8_t> content((std::istreambuf_iterator<char>(in)), {});
-  ContentHash sum;
-  sum.add(content);
-  if (head != std::string(format) + ' ' + sum.text()) return {};
-  return nlohmann::json::from_cbor(content).get<meshes::FieldHistory>();
+  const auto content = read_sealed(format, path);
+  if (!content) return {};
+  return nlohmann::json::from_cbor(*content).get<meshes::FieldHistory>();
 }
 
 }  // namespace wetfront::verification

@@ -3,13 +3,16 @@
 #include "mpm/plan.h"
 #include "mpm/simulation.h"
 #include "reports/write.h"
+#include "verification/compare/body_outcomes.h"
 #include "verification/compare/verdict.h"
+#include "verification/compare/window.h"
 #include "verification/present/field_files.h"
 #include "verification/present/figures.h"
 #include "verification/present/motion_balance.h"
 #include "verification/present/plan_text.h"
 #include "verification/present/reference_error_table.h"
 #include "verification/present/side_table.h"
+#include "verification/present/slide_figures.h"
 #include "verification/present/tables.h"
 #include "verification/run/progress.h"
 #include "verification/run/provenance.h"
@@ -78,13 +81,44 @@ void add_accuracy(reports::Record& record, const AccurateCandidate& candidate) {
   record.tables.push_back(std::move(table));
 }
 
+/// The body and its slide, before everything else on the page.
+void add_body(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+  const mpm::BodyRecord& body = candidate.body;
+  const bool had_events =
+      std::ranges::any_of(prepared.scene.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; });
+  if (body.riders.empty() && !had_events) return;
+  auto pictures = slide_figures(prepared.scene, candidate.history, body);
+  record.figures.insert(record.figures.begin(), std::make_move_iterator(pictures.begin()),
+                        std::make_move_iterator(pictures.end()));
+  const auto outcomes = body_outcomes(prepared.scene, candidate.history, body);
+  std::vector<reports::Table> tables = {stage_table(body), outcome_table(outcomes)};
+  if (!prepared.scene.observations.empty()) tables.insert(tables.begin(), observed_table(prepared.scene, outcomes));
+  record.tables.insert(record.tables.begin(), tables.begin(), tables.end());
+}
+
+/// Figures over time say from when on the reference knows nothing of the body any more.
+void shade_after(std::vector<reports::Figure>& figures, double failure, double end) {
+  if (!std::isfinite(failure)) return;
+  for (reports::Figure& figure : figures)
+    if (figure.x_label == "time" && figure.x_unit == "s")
+      figure.shaded.push_back({failure, std::max(end, failure * (1 + 1e-6)), "after failure: not comparable"});
+}
+
 /// Compares and judges; what a solver that gave up left behind is compared as far as it goes.
 void compare_into(reports::Record& record, const Prepared& prepared, RunResult& result) {
-  const Histories histories = histories_of(result.candidate.history, *result.reference);
-  const auto measurements = measure(prepared.scene, prepared.timeline, histories);
-  record.findings = judge(prepared.scene, prepared.timeline, measurements, histories.candidate.cpu_seconds);
+  const double failure = failure_time(result.candidate.body);
+  Histories histories = histories_of(result.candidate.history, *result.reference);
+  if (room(prepared.scene) > 0)
+    histories.candidate =
+        on_ground(histories.candidate, reference_mesh(prepared.scene, own_cells_over(prepared.scene), 0));
+  const Timeline window = cut_at(prepared.timeline, failure);
+  const Histories comparable = cut_at(histories, failure);
+  const auto measurements = measure(prepared.scene, window, comparable);
+  record.findings = judge(prepared.scene, window, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
-  record.figures = figures(prepared.scene, prepared.timeline, histories, measurements);
+  std::erase_if(histories.candidate.snapshots, [failure](const auto& one) { return one.time > failure; });
+  record.figures = figures(prepared.scene, window, histories, measurements);
+  shade_after(record.figures, failure, prepared.timeline.end());
   record.tables.push_back(ledger_table("reference", histories.reference,
                                        ledger_area(prepared.scene, histories.reference.mesh), prepared.timeline));
   if (!histories.candidate.sides.empty()) {
@@ -112,18 +146,10 @@ Prepared prepare(const Scene& scene) {
   return prepared;
 }
 
-Solved solve_candidate(const mpm::Problem<2>& problem) {
-  const ProgressLine line("MPM");
-  try {
-    return {mpm::run(problem, show_progress), "", ""};
-  } catch (const mpm::GaveUp& error) {
-    return {error.partial, error.what(), ""};
-  }
-}
-
 namespace {
 
-RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const AccurateCandidate* refined) {
+RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const AccurateCandidate* refined,
+                   const Stopping& stopping = {}) {
   RunResult result;
   result.record = start_record(prepared);
   reports::Record& record = result.record;
@@ -131,13 +157,14 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
     result.reference = solve_references(prepared.scene, prepared.timeline, store);
     for (const auto& [name, solved] : result.reference->all()) note_solver(record, name, *solved);
   }
-  result.candidate = refined ? refined->solved : solve_candidate(prepared.problem);
+  result.candidate = refined ? refined->solved : run_candidate(prepared.problem, stopping);
   note_solver(record, "MPM", result.candidate);
   if (result.reference)
     compare_into(record, prepared, result);
   else
     record.figures = figures_of_one(prepared.scene, result.candidate.history, "MPM");
   if (refined) add_accuracy(record, *refined);
+  add_body(record, prepared, result.candidate);
   add_candidate_tables(record, prepared, result.candidate.history);
   result.exit = exit_for(record.verdict);
   if (!why_given_up(result).empty()) result.exit = Exit::gave_up;
@@ -146,8 +173,8 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
 
 }  // namespace
 
-RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store) {
-  return run_with(prepared, store, nullptr);
+RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store, const Stopping& stopping) {
+  return run_with(prepared, store, nullptr, stopping);
 }
 
 RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store, const AccurateCandidate& candidate) {
@@ -167,9 +194,10 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
   const Prepared prepared = prepare(scene);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
   const double accuracy = options.accuracy > 0 ? options.accuracy : scene.mpm.accuracy;
+  const Stopping stopping{{folder / "checkpoint.cbor", checkpoint_owner(scene.text)}, 60, options.resume};
   RunResult result = accuracy > 0
                          ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))
-                         : run_prepared(prepared, options.store);
+                         : run_prepared(prepared, options.store, stopping);
   reports::write_result(result.record, folder);
   auto files = field_files(result.candidate.history, "mpm");
   if (result.reference)

@@ -3,6 +3,7 @@
 #include "mpm/problem.h"
 #include "reports/record.h"
 #include "verification/compare/measure.h"
+#include "verification/run/run_candidate.h"
 #include "verification/run/solve_reference.h"
 #include "verification/run/solve_to_accuracy.h"
 #include "verification/scene/scene.h"
@@ -28,7 +29,9 @@ struct Prepared {
 /// Meshes the scene and translates it for the material point method. Throws what is wrong with it.
 Prepared prepare(const Scene& scene);
 
-Solved solve_candidate(const mpm::Problem<2>& problem);
+inline Solved solve_candidate(const mpm::Problem<2>& problem) {
+  return run_candidate(problem);
+}
 
 /// Solves, compares and records. `candidate` may differ from what the scene asks for: that is how faults are injected.
 struct RunResult {
@@ -37,7 +40,7 @@ struct RunResult {
   Solved candidate;
   std::optional<ReferenceRuns> reference;  ///< absent in a scene that has none
 };
-RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store = {});
+RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store = {}, const Stopping& stopping = {});
 /// The same with a candidate that was refined to an accuracy; `prepared.problem` is not solved.
 RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store, const AccurateCandidate& candidate);
 
@@ -50,6 +53,7 @@ std::vector<std::string> why_given_up(const RunResult& result);
 struct RunOptions {
   ReferenceStore store{};
   double accuracy = 0;  ///< overrules the scene's; 0: as the scene says
+  bool resume = false;  ///< go on from the checkpoint in the folder
 };
 /// Runs a scene and leaves report.html, result.json, CSV, fields and the exact scene in `folder`.
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options);

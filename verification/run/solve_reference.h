@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshes/field_history.h"
+#include "mpm/body_record.h"
 #include "verification/compare/histories.h"
 #include "verification/scene/scene.h"
 #include "verification/translate/timeline.h"
@@ -17,6 +18,7 @@ struct Solved {
   meshes::FieldHistory history;
   std::string gave_up;     ///< empty: it reached the end
   std::string taken_from;  ///< file of the store it was taken from; empty: computed now
+  mpm::BodyRecord body{};  ///< of the candidate
 };
 
 /// Where solutions of the reference are kept, each under the hash of its problem and of the code: computed once.

@@ -43,6 +43,7 @@ struct Box {
 struct GroundProfile {
   Polyline surface, bedrock;
   int cells_along, cells_over;
+  double room = 0;  ///< height of empty cells above the surface, for a body to move in, of the MPM's mesh only [m]
 };
 using Shape = std::variant<Column, Slope, MeshFile, Box, GroundProfile>;
 

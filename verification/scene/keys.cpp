@@ -64,6 +64,7 @@ const std::vector<Section>& sections() {
       {"evaporation", true, false, "evaporation from a side, with or without rain", {}},
       {"boundary", true, false, "what holds on a side", {}},
       {"probe", true, false, "a gauge: pressure and saturation over time at a point", {"at", "elevation"}},
+      {"rider", true, false, "a point of the soil that is followed: displacement and velocity over time", {}},
       {"skeleton", false, false, "how a skeleton that deforms starts and moves", {}},
       {"stage", true, true, "what is simulated, in order", {}},
       {"mpm", false, false, "the candidate", {}},
@@ -71,6 +72,11 @@ const std::vector<Section>& sections() {
       {"reference.adaptive", false, false, "", {}},
       {"comparison", false, false, "when fields are kept and compared", {}},
       {"tolerance", true, false, "a gate", {}},
+      {"observed",
+       true,
+       false,
+       "what is known from an experiment or a published simulation: shown beside, not gated",
+       {}},
   };
   return all;
 }

@@ -54,6 +54,8 @@ std::vector<Key> condition_keys() {
     {"boundary", "base_friction", Takes::quantity, "rad", required, "", "angle of friction between body and base", "34 deg", {"0 deg", "89 deg"}, {}, "skeleton", {"contact"}},
     {"boundary", "load", Takes::record, "Pa", optional, "", "pressure on the skeleton, against the outward normal; pairs are joined by straight lines", "10 kPa", {"-1 GPa", "1 GPa"}, {}, "", {}, {{"time", "s"}, {"load", "Pa"}}},
 
+    {"rider", "name", Takes::text, "", required, "", "name of the point", "D-1"},
+    {"rider", "at", Takes::vector, "m", required, "", "its place at the start; the nearest material point is followed", R"(["17 m", "5.2 m"])", {"-1000 km", "1000 km"}},
     {"probe", "name", Takes::text, "", required, "", "name of the gauge", "base"},
     {"probe", "at", Takes::vector, "m", optional, "", "position x, y (in space x, y, z)", R"(["0 m", "0.6 m"])", {"-1000 km", "1000 km"}},
     {"probe", "elevation", Takes::quantity, "m", optional, "", "the same in a column", "0.6 m", {"-100 km", "100 km"}},

@@ -34,6 +34,7 @@ std::vector<Key> ground_keys() {
     {"geometry.profile", "bedrock", Takes::pairs, "", required, "", "the lower end of the ground, over the same x", R"([["0 m", "0 m"], ["10 m", "1 m"]])", {}, {}, "", {}, line},
     {"geometry.profile", "cells_along", Takes::count, "", required, "", "cells from left to right", "80", {"1", "100000"}},
     {"geometry.profile", "cells_over", Takes::count, "", required, "", "cells from bedrock to surface", "20", {"1", "100000"}},
+    {"geometry.profile", "room", Takes::quantity, "m", optional, "0 m", "height of empty cells above the surface in the mesh of the points: room for a body to move into", "2.4 m", {"0 m", "10 km"}},
     {"geometry.box", "size", Takes::vector, "m", required, "", "width and height; or width, depth and height", R"(["5 m", "3 m"])", {"1 mm", "100 km"}},
     {"geometry.box", "cells", Takes::counts, "", required, "", "cells in the same directions", "[50, 30]", {"1", "100000"}},
 

@@ -23,7 +23,16 @@ std::vector<Key> run_keys() {
     {"stage", "name", Takes::text, "", required, "", "name", "infiltration"},
     {"stage", "scheme", Takes::choice, "", optional, "", "how the pore water moves, cheapest first: seepage without inertia, semi-implicit with that of the water, implicit-drag with two velocities, explicit as Lee 2021; auto takes the cheapest that the scene allows; needed with water, but for the reference alone",
      "seepage", {}, {"auto", "seepage", "semi-implicit", "implicit-drag", "explicit"}},
-    {"stage", "until", Takes::time, "s", required, "", "end of the stage since the start of the run", "110 % of filling"},
+    {"stage", "until", Takes::time, "s", optional, "", "end of the stage since the start of the run, the latest where an event may end it; needed but with lasts", "110 % of filling"},
+    {"stage", "lasts", Takes::quantity, "s", optional, "", "in place of until: end of the stage since its own beginning, for stages that begin with an event", "12 s", {"0 s", "100000 d", true}},
+    {"stage", "ends_with", Takes::choice, "", optional, "time", "what may end it earlier: failure of a quasi-static skeleton, whose last equilibrium the next stage begins with; rest of a dynamic one", "failure", {}, {"time", "failure", "rest"}},
+    {"stage", "failure_displacement", Takes::quantity, "m", optional, "2 cm", "a skeleton that one relaxation moves so far has failed", "2 cm", {"0 m", "1 km", true}, {}, "ends_with", {"failure"}},
+    {"stage", "failure_ratio", Takes::quantity, "1", optional, "5e-3", "a relaxation that runs out of iterations with more of the forces out of balance has failed, with less it has stalled", "5e-3", {"0", "1", true}, {}, "ends_with", {"failure"}},
+    {"stage", "shortest_step", Takes::quantity, "s", optional, "2 s", "steps of the water are halved down to this before failure is believed: the time of failure is known to it", "2 s", {"0 s", "1000 d", true}, {}, "ends_with", {"failure"}},
+    {"stage", "rest_energy", Takes::quantity, "1", optional, "1e-3", "kinetic energy over the largest of the stage below which the body is at rest", "1e-3", {"0", "1", true}, {}, "ends_with", {"rest"}},
+    {"stage", "rest_hold", Takes::quantity, "s", optional, "0.2 s", "for so long", "0.2 s", {"0 s", "1 d", true}, {}, "ends_with", {"rest"}},
+    {"stage", "picture_every", Takes::quantity, "s", optional, "", "pictures of the body as often; none but at the ends of stages that an event ends when absent", "0.5 s", {"0 s", "1000 d", true}},
+    {"stage", "coupling_tolerance", Takes::quantity, "1", optional, "1e-6", "agreement of flow and quasi-static skeleton in a step, as relative pressure", "1e-6", {"1e-12", "0.01"}},
     {"stage", "time_integrator", Takes::choice, "", optional, "bdf2", "of seepage", "bdf2", {}, {"bdf2", "backward-euler"}, "scheme", {"auto", "seepage"}},
     {"stage", "time_tolerance", Takes::quantity, "1", optional, "1e-5", "of the error control of seepage and semi-implicit", "1e-5", {"1e-12", "0.1"}, {}, "scheme", {"auto", "seepage", "semi-implicit"}},
     {"stage", "largest_step", Takes::quantity, "s", optional, "", "no step longer than this; no limit when absent", "10 s", {"0 s", "1000 d", true}},
@@ -59,6 +68,10 @@ std::vector<Key> run_keys() {
     {"tolerance", "probe", Takes::text, "", optional, "", "one probe, for quantities of probes; every probe when absent", "base"},
     {"tolerance", "value", Takes::tolerance, "", required, "", "largest allowed error: \"1 %\", or with the unit of the quantity", "1 %"},
     {"tolerance", "reason", Takes::text, "", required, "", "where this number comes from", "spatial error of a good scheme at 40 cells, doubled"},
+    {"observed", "quantity", Takes::text, "", required, "", "failure_time, slide_duration, largest_displacement, largest_velocity, or of a probe arrival_time:NAME, rise_rate:NAME, interval:NAME:NAME", "arrival_time:G-9"},
+    {"observed", "measured", Takes::text, "", optional, "", "what the experiment says, in its words", "6300 s"},
+    {"observed", "simulated", Takes::text, "", optional, "", "what a published simulation says", "6300 s"},
+    {"observed", "remark", Takes::text, "", optional, "", "one sentence", "read off a figure"},
   };
 }
 // clang-format on

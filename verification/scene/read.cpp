@@ -102,7 +102,7 @@ Scene read_scene(const std::filesystem::path& path) {
   Complaints complaints(path.string());
   Reading reading{root, complaints, scene};
   for (const auto part : {read_geometry, read_top, read_soils, read_initial, read_rains, read_evaporation,
-                          read_boundaries, read_probes, read_skeleton, read_stages, read_comparison})
+                          read_boundaries, read_probes, read_riders, read_skeleton, read_stages, read_comparison})
     part(reading);
   if (complaints.any()) throw SceneError(complaints.in_order());
   return scene;

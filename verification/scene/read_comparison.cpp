@@ -157,6 +157,23 @@ void read_tolerance(SectionReader& reader, Reading& reading) {
   reader.finish();
 }
 
+void read_observation(SectionReader& reader, Scene& scene) {
+  Observation known{reader.text("quantity"), reader.text("measured"), reader.text("simulated"), reader.text("remark"),
+                    reader.origin()};
+  std::vector<std::string> names = {"failure_time", "slide_duration", "largest_displacement", "largest_velocity"};
+  for (const Probe& probe : scene.probes) {
+    names.push_back("arrival_time:" + probe.name);
+    names.push_back("rise_rate:" + probe.name);
+    for (const Probe& other : scene.probes)
+      if (other.name != probe.name) names.push_back("interval:" + probe.name + ":" + other.name);
+  }
+  if (!known.quantity.empty() && std::find(names.begin(), names.end(), known.quantity) == names.end())
+    reader.complain("quantity", {"nothing here is called '" + known.quantity + "'", "there is " + alternatives(names),
+                                 suggest(known.quantity, names)});
+  scene.observations.push_back(known);
+  reader.finish();
+}
+
 }  // namespace
 
 void read_comparison(Reading& reading) {
@@ -169,6 +186,8 @@ void read_comparison(Reading& reading) {
   }
   for (SectionReader& reader : sections_of(reading.root, "tolerance", reading.complaints))
     read_tolerance(reader, reading);
+  for (SectionReader& reader : sections_of(reading.root, "observed", reading.complaints))
+    read_observation(reader, reading.scene);
 }
 
 }  // namespace wetfront::verification

@@ -38,7 +38,7 @@ void check_profile(SectionReader& reader, const GroundProfile& profile) {
 
 GroundProfile read_profile(SectionReader& reader, const std::filesystem::path& folder) {
   GroundProfile profile{read_line(reader, "surface", folder), read_line(reader, "bedrock", folder),
-                        reader.count("cells_along"), reader.count("cells_over")};
+                        reader.count("cells_along"), reader.count("cells_over"), reader.quantity("room")};
   check_profile(reader, profile);
   return profile;
 }

@@ -78,4 +78,18 @@ void read_probes(Reading& reading) {
   }
 }
 
+void read_riders(Reading& reading) {
+  for (SectionReader& reader : sections_of(reading.root, "rider", reading.complaints)) {
+    if (!reading.elastic())
+      reader.complain_at(reader.place(), {"this rider never moves", "every soil of this scene is rigid",
+                                          "Remove it, or give the soil young and poisson."});
+    Probe rider;
+    rider.name = reader.text("name");
+    rider.origin = reader.origin();
+    read_position(reader, rider, reading.scene.geometry);
+    reading.scene.riders.push_back(rider);
+    reader.finish();
+  }
+}
+
 }  // namespace wetfront::verification

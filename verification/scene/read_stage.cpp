@@ -49,19 +49,18 @@ void read_motion(SectionReader& reader, Stage& stage, bool elastic) {
   stage.motion.quasi_static = motion == "quasi-static" || (motion.empty() && stage.scheme == Scheme::seepage);
   stage.motion.unbalanced_ratio = reader.quantity("unbalanced_ratio");
   stage.motion.relaxation_damping = reader.quantity("relaxation_damping");
+  if (stage.scheme == Scheme::seepage && stage.motion.quasi_static)
+    stage.motion.coupling_tolerance = reader.quantity("coupling_tolerance");
   const std::string two_velocities = stage.scheme == Scheme::explicit_drag ? "explicit" : "implicit-drag";
   if (stage.motion.quasi_static && (stage.scheme == Scheme::implicit_drag || stage.scheme == Scheme::explicit_drag))
     reader.complain("skeleton",
                     {"a quasi-static skeleton does not go with " + two_velocities,
                      "two velocities are there for inertia", "Write \"dynamic\", or scheme = \"seepage\"."});
-  if (!motion.empty() && motion != "quasi-static" && stage.scheme == Scheme::seepage)
-    reader.complain("skeleton", {"a dynamic skeleton does not go with seepage", "its water has no inertia",
-                                 "Write \"quasi-static\", or scheme = \"implicit-drag\"."});
   if (!elastic)
-    for (const char* key : {"skeleton", "unbalanced_ratio", "relaxation_damping"})
+    for (const char* key : {"skeleton", "unbalanced_ratio", "relaxation_damping", "coupling_tolerance"})
       reader.unused(key, "every soil of this scene is rigid", "Remove it, or give the soil young and poisson.");
   else if (!stage.motion.quasi_static)
-    for (const char* key : {"unbalanced_ratio", "relaxation_damping"})
+    for (const char* key : {"unbalanced_ratio", "relaxation_damping", "coupling_tolerance"})
       reader.unused(key, "this stage is dynamic", "Remove it, or write skeleton = \"quasi-static\".");
 }
 
@@ -80,6 +79,53 @@ void check_end(SectionReader& reader, const Stage& stage, const Reading& reading
                      "`until` counts from the start of the run: give a later time."});
 }
 
+void read_event(SectionReader& reader, Stage& stage, const Reading& reading) {
+  StageEvent& event = stage.event;
+  const std::string ends = reader.choice("ends_with");
+  if (reader.has("picture_every")) stage.picture_every = reader.quantity("picture_every");
+  if (ends == "failure") {
+    event.kind = StageEvent::Kind::failure;
+    event.displacement = reader.quantity("failure_displacement");
+    event.unbalanced_ratio = reader.quantity("failure_ratio");
+    event.shortest_step = reader.quantity("shortest_step");
+    if (!stage.motion.quasi_static)
+      reader.complain("ends_with", {"a dynamic stage does not end with failure", "its skeleton moves all the time",
+                                    "Write skeleton = \"quasi-static\", or ends_with = \"rest\"."});
+  }
+  if (ends == "rest") {
+    event.kind = StageEvent::Kind::rest;
+    event.energy_ratio = reader.quantity("rest_energy");
+    event.hold = reader.quantity("rest_hold");
+    if (stage.motion.quasi_static)
+      reader.complain("ends_with", {"a quasi-static stage does not end with rest", "its skeleton is always at rest",
+                                    "Write skeleton = \"dynamic\", or ends_with = \"failure\"."});
+  }
+  if (!reading.elastic())
+    for (const char* key : {"ends_with", "picture_every"})
+      reader.unused(key, "every soil of this scene is rigid", "Remove it, or give the soil young and poisson.");
+}
+
+/// `until` or `lasts`; false where neither can be used.
+bool read_end(SectionReader& reader, Stage& stage, const Reading& reading) {
+  const auto until = reader.time("until");
+  if (reader.has("lasts")) {
+    if (reader.has("until"))
+      reader.complain("lasts", {"lasts is given beside until", "they say the same thing in two ways", "Keep one."});
+    stage.lasts = reader.quantity("lasts");
+    stage.until = {*stage.lasts, false, reader.origin_of("lasts")};
+    if (const auto before = reading.scene.stages.empty()
+                                ? std::optional(0.0)
+                                : seconds_of(reading.scene.stages.back().until, reading.filling()))
+      stage.until.value += *before;
+    return true;
+  }
+  if (!reader.has("until")) reader.missing("until", "a stage has an end");
+  if (!until) return false;
+  stage.until = *until;
+  check_end(reader, stage, reading);
+  return true;
+}
+
 }  // namespace
 
 void read_stages(Reading& reading) {
@@ -90,11 +136,8 @@ void read_stages(Reading& reading) {
     read_scheme(reader, stage, reading);
     read_step_control(reader, stage, reading.elastic());
     read_motion(reader, stage, reading.elastic());
-    if (const auto until = reader.time("until")) {
-      stage.until = *until;
-      check_end(reader, stage, reading);
-      reading.scene.stages.push_back(stage);
-    }
+    read_event(reader, stage, reading);
+    if (read_end(reader, stage, reading)) reading.scene.stages.push_back(stage);
     reader.finish();
   }
   read_mpm(reading);

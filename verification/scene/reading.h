@@ -40,6 +40,7 @@ void read_rains(Reading& reading);     // rain
 void read_evaporation(Reading& reading);
 void read_boundaries(Reading& reading);
 void read_probes(Reading& reading);
+void read_riders(Reading& reading);
 void read_stages(Reading& reading);      // stage, mpm
 void read_mpm(Reading& reading);         // mpm; part of read_stages
 void read_skeleton(Reading& reading);    // skeleton

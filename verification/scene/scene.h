@@ -47,6 +47,9 @@ struct Stage {
   double step_safety = 0.8;
   double local_damping = 0;
   SkeletonMotion motion{};
+  StageEvent event{};
+  std::optional<double> lasts{};  ///< s since its own beginning at most, in place of `until`
+  double picture_every = 0;       ///< s; 0: none
   bool printed_mass_balance = false;
   Origin origin;
 };
@@ -91,6 +94,14 @@ struct Tolerance {
   Origin origin;
 };
 
+/// What is known of a quantity (compare/body_outcomes.h): shown beside what comes out, never gated.
+struct Observation {
+  std::string quantity;             ///< "arrival_time:G-9"
+  std::string measured, simulated;  ///< as their sources say it; empty: they do not
+  std::string remark;
+  Origin origin;
+};
+
 struct Comparison {
   std::vector<SceneTime> times;
   std::vector<Tolerance> tolerances;
@@ -111,11 +122,13 @@ struct Scene {
   std::vector<Evaporation> evaporations;
   std::vector<Boundary> boundaries;
   std::vector<Probe> probes;
+  std::vector<Probe> riders;  ///< points of the soil that are followed
   std::vector<Stage> stages;
   SkeletonSettings skeleton;
   MpmSettings mpm;
   std::optional<ReferenceSettings> reference;  ///< absent: nothing to compare with (a dry scene)
   Comparison comparison;
+  std::vector<Observation> observations;
 };
 
 }  // namespace wetfront::verification

@@ -58,6 +58,14 @@ struct SkeletonCondition {
 struct SkeletonMotion {
   bool quasi_static = false;
   double unbalanced_ratio = 2e-4, relaxation_damping = 0.7;
+  double coupling_tolerance = 1e-6;  ///< of flow and skeleton, relative pressure
+};
+
+/// What may end a stage before its latest time.
+struct StageEvent {
+  enum class Kind { none, failure, rest } kind = Kind::none;
+  double displacement = 0.02, unbalanced_ratio = 5e-3, shortest_step = 2;  ///< failure: m, -, s
+  double energy_ratio = 1e-3, hold = 0.2;                                  ///< rest: -, s
 };
 
 }  // namespace wetfront::verification

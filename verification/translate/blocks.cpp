@@ -13,6 +13,18 @@ using Line = std::vector<double>;  ///< elevations, one per station
 
 constexpr double close = 1e-6;  ///< m: boundaries nearer than this to another are not worth a row of cells
 
+/// Cells above the surface, as high as those below in the mean.
+void add_room(meshes::PlaneBlocks& blocks, double room) {
+  Line line = blocks.line.back();
+  double thickness = 0;
+  int rows = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) thickness += (line[i] - blocks.line.front()[i]) / line.size();
+  for (const int count : blocks.cells_over) rows += count;
+  for (double& elevation : line) elevation += room;
+  blocks.line.push_back(line);
+  blocks.cells_over.push_back(std::max(1, static_cast<int>(std::lround(rows * room / thickness))));
+}
+
 /// `total` cells shared out among stretches of these lengths, at least one each and mostly even numbers, so that the
 /// mesh is twice as fine as another.
 std::vector<int> shared_out(const std::vector<double>& ends, int total) {
@@ -137,6 +149,7 @@ meshes::Mesh block_mesh(const Geometry& geometry, const BlockCells& wanted) {
     return meshes::generate(meshes::blocks_in_space(blocks), 3);
   }
   auto blocks = plane_blocks(geometry, wanted.over, own_along(geometry) * wanted.along_factor);
+  if (wanted.room > 0) add_room(blocks, wanted.room);
   for (auto* cells : {&blocks.cells_along, &blocks.cells_over}) halve(*cells, wanted.halvings);
   return meshes::generate(meshes::blocks_in_plane(blocks), 2);
 }

@@ -10,6 +10,7 @@ struct BlockCells {
   int over;              ///< from base to surface
   int along_factor = 1;  ///< times the shape's own number along
   int halvings = 0;      ///< of every cell beyond that; -1, where can_coarsen(): cells twice as large
+  double room = 0;       ///< height of more cells, as high as those below, above the surface [m]; in a plane only
 };
 
 /// Meshes a built-in shape such that cells follow whatever can be followed: boundaries of layers that stay inside the

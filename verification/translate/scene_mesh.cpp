@@ -85,12 +85,21 @@ meshes::Mesh with_soils(const Scene& scene, meshes::Mesh mesh) {
 
 }  // namespace
 
+double room(const Scene& scene) {
+  const auto* profile = std::get_if<GroundProfile>(&scene.geometry.shape);
+  return profile != nullptr ? profile->room : 0;
+}
+
+int own_cells_over(const Scene& scene) {
+  return own_cells_over(scene.geometry);
+}
+
 meshes::Mesh mpm_mesh(const Scene& scene) {
   const Geometry& geometry = scene.geometry;
   if (std::holds_alternative<MeshFile>(geometry.shape))
     return with_soils(scene, user_mesh(scene, std::get<MeshFile>(geometry.shape)));
   const int cells = own_cells_over(geometry);
-  if (!(scene.mpm.surface_in_cell < 1)) return with_soils(scene, block_mesh(geometry, {cells}));
+  if (!(scene.mpm.surface_in_cell < 1)) return with_soils(scene, block_mesh(geometry, {cells, 1, 0, room(scene)}));
   Geometry grid = geometry;
   grid.shape = stretched(geometry.shape, cells / (cells - 1 + scene.mpm.surface_in_cell));
   return with_soils(scene, block_mesh(grid, {cells}));
@@ -100,7 +109,7 @@ std::vector<meshes::Point> surface_inside_cells(const Scene& scene) {
   std::vector<meshes::Point> line;
   if (const Box* box = std::get_if<Box>(&scene.geometry.shape))
     for (std::size_t i = 0; i < box->surface.x.size(); ++i) line.push_back({box->surface.x[i], box->surface.y[i], 0});
-  if (!(scene.mpm.surface_in_cell < 1)) return line;
+  if (!(scene.mpm.surface_in_cell < 1) && !(room(scene) > 0)) return line;
   for (const double x : stations(scene.geometry)) line.push_back({x, surface_at(scene.geometry, x), 0});
   return line;
 }

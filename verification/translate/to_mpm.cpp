@@ -53,6 +53,19 @@ mpm::Stage stage_of(const Stage& stage, double end_time) {
   out.motion = stage.motion.quasi_static ? mpm::SkeletonMotion::quasi_static : mpm::SkeletonMotion::dynamic;
   out.relaxation.unbalanced_ratio = stage.motion.unbalanced_ratio;
   out.relaxation.damping = stage.motion.relaxation_damping;
+  out.relaxation.coupling_tolerance = stage.motion.coupling_tolerance;
+  const StageEvent& event = stage.event;
+  if (event.kind == StageEvent::Kind::failure) {
+    out.ends_with = mpm::StageEnd::failure;
+    out.failure = {event.displacement, event.unbalanced_ratio, event.shortest_step};
+  }
+  if (event.kind == StageEvent::Kind::rest) {
+    out.ends_with = mpm::StageEnd::rest;
+    out.rest.energy_ratio = event.energy_ratio;
+    out.rest.hold = event.hold;
+  }
+  out.longest = stage.lasts.value_or(0);
+  out.picture_every = stage.picture_every;
   out.mass_balance = stage.printed_mass_balance ? mpm::MassBalance::printed_2021 : mpm::MassBalance::conservative;
   out.origin = stage.origin.text();
   return out;
@@ -80,6 +93,7 @@ mpm::Problem<2> to_mpm(const Scene& scene, const meshes::Mesh& mesh, const Timel
   if (scene.skeleton.k0_stress) problem.initial_stress = mpm::InitialStress::k0;
   problem.threads = scene.mpm.threads;
   for (const Probe& probe : scene.probes) problem.probes.push_back({probe.name, probe.position, probe.origin.text()});
+  for (const Probe& rider : scene.riders) problem.riders.push_back({rider.name, rider.position, rider.origin.text()});
   problem.points_per_cell = scene.mpm.points_per_cell;
   problem.rain_scheme = rain_scheme_of(scene.mpm.rain_entry);
   problem.cpu_budget = scene.mpm.cpu_budget;

@@ -1,0 +1,139 @@
+#include "verification/compare/body_outcomes.h"
+
+#include "verification/compare/events.h"
+#include "verification/compare/window.h"
+#include "verification/translate/initial_pressure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wetfront::verification {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::quiet_NaN();
+/// Points that have moved more than this part of the farthest belong to the slide.
+constexpr double sliding = 0.2;
+
+double size(const meshes::Point& x) {
+  return std::hypot(x[0], x[1], x[2]);
+}
+
+/// `share` of the values lie below it.
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return never;
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, values.begin() + at);
+  return values[static_cast<std::size_t>(at)];
+}
+
+class Body {
+ public:
+  Body(const Scene& scene, const meshes::FieldHistory& history, const mpm::BodyRecord& body)
+      : scene_(scene), history_(history), body_(body) {}
+
+  std::vector<BodyOutcome> all() {
+    const double failure = failure_time(body_);
+    add("failure_time", "time of failure", "s", std::isfinite(failure) ? failure : never);
+    riders();
+    slide();
+    if (scene_.water) gauges();
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& name, const std::string& description, const std::string& unit, double value) {
+    found_.push_back({name, description, unit, value});
+  }
+
+  void riders() {
+    double farthest = 0, fastest = 0;
+    const mpm::Rider* first = nullptr;
+    for (const mpm::Rider& rider : body_.riders)
+      for (std::size_t k = 0; k < rider.time.size(); ++k) {
+        const double moved = displacement(rider, k);
+        if (moved > farthest) farthest = moved, first = &rider;
+        fastest = std::max(fastest, size(rider.velocity[k]));
+      }
+    add("largest_displacement", "largest displacement of a marker", "m", first ? farthest : never);
+    add("largest_velocity", "largest velocity of a marker", "m/s", first ? fastest : never);
+    add("slide_duration", "time of sliding, from 5 to 95 % of the largest displacement", "s",
+        first ? reaches(*first, 0.95 * farthest) - reaches(*first, 0.05 * farthest) : never);
+    for (const mpm::Rider& rider : body_.riders)
+      add("displacement:" + rider.name, "displacement of " + rider.name + " at the end", "m",
+          rider.time.empty() ? never : displacement(rider, rider.time.size() - 1));
+  }
+
+  static double displacement(const mpm::Rider& rider, std::size_t k) {
+    return size(
+        {rider.place[k][0] - rider.start[0], rider.place[k][1] - rider.start[1], rider.place[k][2] - rider.start[2]});
+  }
+  static double reaches(const mpm::Rider& rider, double far) {
+    for (std::size_t k = 0; k < rider.time.size(); ++k)
+      if (displacement(rider, k) >= far) return rider.time[k];
+    return never;
+  }
+
+  /// From the last picture: how deep and where the slide is.
+  void slide() {
+    std::vector<double> moved, depths, places;
+    const mpm::Picture* last = body_.pictures.empty() ? nullptr : &body_.pictures.back();
+    const bool known = last != nullptr && !last->displacement.empty() && scene_.geometry.dim() == 2;
+    if (known)
+      for (const meshes::Point& d : last->displacement) moved.push_back(size(d));
+    const double farthest = moved.empty() ? never : std::ranges::max(moved);
+    for (std::size_t p = 0; p < moved.size(); ++p) {
+      if (moved[p] < sliding * farthest) continue;
+      const meshes::Point &x = last->snapshot.points.position[p], &d = last->displacement[p];
+      const double from = x[0] - d[0], top = surface_at(scene_.geometry, from), base = base_at(scene_.geometry, from);
+      depths.push_back((top - x[1] + d[1]) / (top - base));
+      places.push_back(from);
+    }
+    add("displacement_p95", "displacement that 95 % of the points stay below", "m", percentile(moved, 0.95));
+    add("slide_depth", "depth of the slide over the thickness (1: to the base)", "-", percentile(depths, 0.95));
+    add("slide_from", "foot of the slide", "m", percentile(places, 0.05));
+    add("slide_to", "head of the slide", "m", percentile(places, 0.95));
+  }
+
+  void gauges() {
+    const double unit_weight = scene_.water->density * gravity_magnitude(scene_);
+    double earliest = never;
+    for (const meshes::Gauge& gauge : history_.gauges) {
+      const double arrival = crossing_time(gauge, arrival_pressure);
+      if (!(earliest <= arrival)) earliest = arrival;
+      add("arrival_time:" + gauge.name, "pore pressure rises at " + gauge.name, "s", arrival);
+      add("rise_rate:" + gauge.name, "rise of head at " + gauge.name, "m/s", rise_rate(gauge, unit_weight));
+      for (const meshes::Gauge& other : history_.gauges)
+        if (&other != &gauge)
+          add("interval:" + gauge.name + ":" + other.name,
+              "from the rise at " + gauge.name + " to that at " + other.name, "s",
+              crossing_time(other, arrival_pressure) - arrival);
+    }
+    if (history_.gauges.empty()) return;
+    const double ponds = history_.ledger.empty() ? never : ponding_time(history_.ledger);
+    add("ponding_time", "the surface begins to refuse rain", "s", ponds);
+    add("wetting_order", "first rise at a gauge less ponding of the surface (negative: the base first)", "s",
+        earliest - ponds);
+  }
+
+  const Scene& scene_;
+  const meshes::FieldHistory& history_;
+  const mpm::BodyRecord& body_;
+  std::vector<BodyOutcome> found_;
+};
+
+}  // namespace
+
+std::vector<BodyOutcome> body_outcomes(const Scene& scene, const meshes::FieldHistory& history,
+                                       const mpm::BodyRecord& body) {
+  return Body(scene, history, body).all();
+}
+
+double value_of(const std::vector<BodyOutcome>& outcomes, const std::string& name) {
+  const auto found = std::ranges::find(outcomes, name, &BodyOutcome::name);
+  return found == outcomes.end() ? never : found->value;
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,162 @@
+#include "verification/present/slide_figures.h"
+
+#include "verification/compare/window.h"
+#include "verification/present/body_figures.h"
+#include "verification/present/figure_frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+using reports::Figure;
+using reports::Series;
+
+double size(const meshes::Point& x) {
+  return std::hypot(x[0], x[1], x[2]);
+}
+
+/// 1, 2 or 5 times a power of ten, at least the value.
+double rounded_up(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (value <= factor * power * (1 + 1e-12)) return factor * power;
+  return 10 * power;
+}
+
+Series ground_line(const Scene& scene, bool top) {
+  Series line;
+  line.label = top ? "surface at the start" : "base";
+  line.colour = 6;
+  if (top) line.style = Series::Style::dashed;
+  for (const double x : stations(scene.geometry)) {
+    line.x.push_back(x);
+    line.y.push_back(top ? surface_at(scene.geometry, x) : base_at(scene.geometry, x));
+  }
+  return line;
+}
+
+/// Points in classes of displacement: quarters of a round number above the largest.
+Figure still(const Scene& scene, const mpm::Picture& picture) {
+  Figure figure =
+      figure_frame({"body_at_" + picture.of,
+                    "The slope at " + picture.of + fmt::format(", t = {:.6g} s", picture.snapshot.time), "The slide"},
+                   {"x", "m"}, {"elevation", "m"});
+  const auto& places = picture.snapshot.points.position;
+  double farthest = 1e-300;
+  for (const meshes::Point& d : picture.displacement) farthest = std::max(farthest, size(d));
+  const double whole = rounded_up(farthest);
+  constexpr std::array<double, 5> bounds = {0.02, 0.1, 0.25, 0.5, 1};
+  constexpr std::array<int, 5> colours = {6, 5, 2, 4, 1};
+  double below = -1;
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    Series series;
+    series.style = Series::Style::points;
+    series.colour = colours[k];
+    const double unit = whole < 0.05 ? 1e-3 : 1;
+    series.label = fmt::format("moved {:.3g} to {:.3g} {}", std::max(0.0, below) / unit, bounds[k] * whole / unit,
+                               unit < 1 ? "mm" : "m");
+    for (std::size_t p = 0; p < picture.displacement.size(); ++p) {
+      const double moved = size(picture.displacement[p]);
+      if (moved <= below || moved > bounds[k] * whole) continue;
+      series.x.push_back(places[p][0]);
+      series.y.push_back(places[p][1]);
+    }
+    below = bounds[k] * whole;
+    if (!series.x.empty()) figure.series.push_back(std::move(series));
+  }
+  figure.series.push_back(ground_line(scene, true));
+  figure.series.push_back(ground_line(scene, false));
+  figure.note = fmt::format("largest displacement {:.3g} m", farthest);
+  return figure;
+}
+
+std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
+  const double failure = failure_time(body);
+  const double begin = std::isfinite(failure) ? failure : 0;
+  const std::string axis = std::isfinite(failure) ? "time since failure" : "time";
+  Figure far = figure_frame({"marker_displacement", "Displacement of the markers", "The slide"}, {axis, "s"},
+                            {"displacement", "m"});
+  Figure fast =
+      figure_frame({"marker_velocity", "Velocity of the markers", "The slide"}, {axis, "s"}, {"velocity", "m/s"});
+  for (const mpm::Rider& rider : body.riders) {
+    Series d, v;
+    d.label = v.label = rider.name;
+    const std::size_t stride = 1 + rider.time.size() / 2000;
+    for (std::size_t k = 0; k < rider.time.size(); k += stride) {
+      if (rider.time[k] < begin) continue;
+      d.x.push_back(rider.time[k] - begin);
+      v.x.push_back(rider.time[k] - begin);
+      d.y.push_back(size({rider.place[k][0] - rider.start[0], rider.place[k][1] - rider.start[1], 0}));
+      v.y.push_back(size(rider.velocity[k]));
+    }
+    if (d.x.size() < 2) continue;
+    far.series.push_back(std::move(d));
+    fast.series.push_back(std::move(v));
+  }
+  if (far.series.empty()) return {};
+  return {far, fast};
+}
+
+std::string number(const BodyOutcome& outcome) {
+  if (std::isnan(outcome.value)) return "-";
+  return fmt::format("{:.4g}{}", outcome.value, outcome.unit == "-" ? "" : " " + outcome.unit);
+}
+
+}  // namespace
+
+std::vector<Figure> slide_figures(const Scene& scene, const meshes::FieldHistory& history,
+                                  const mpm::BodyRecord& body) {
+  std::vector<Figure> all;
+  if (history.mesh.dim != 2 || std::holds_alternative<MeshFile>(scene.geometry.shape)) return all;
+  for (const mpm::Picture& picture : body.pictures)
+    if (!picture.of.empty() && !picture.displacement.empty()) all.push_back(still(scene, picture));
+  if (!all.empty()) {
+    meshes::FieldHistory slide;
+    slide.mesh = history.mesh;
+    for (const mpm::Picture& picture : body.pictures) slide.snapshots.push_back(picture.snapshot);
+    for (Figure& outline : body_figures(slide)) {
+      outline.id = "slide_outline";
+      outline.title = "The slide: its upper outline in time, its points at the end";
+      outline.section = "The slide";
+      all.push_back(std::move(outline));
+    }
+  }
+  for (Figure& markers : of_markers(body)) all.push_back(std::move(markers));
+  return all;
+}
+
+reports::Table stage_table(const mpm::BodyRecord& body) {
+  reports::Table table{"Stages", "The slide", "", {"stage", "from [s]", "until [s]", "ended by", "why", "plan"}, {}};
+  for (const mpm::StageSpan& stage : body.stages)
+    table.rows.push_back({stage.name, fmt::format("{:.6g}", stage.begin), fmt::format("{:.6g}", stage.end),
+                          stage.ended_by.empty() ? "under way" : stage.ended_by, stage.reason, stage.scheme});
+  return table;
+}
+
+reports::Table outcome_table(const std::vector<BodyOutcome>& outcomes) {
+  reports::Table table{"What came out", "The slide", "", {"quantity", "what", "value"}, {}};
+  for (const BodyOutcome& one : outcomes) table.rows.push_back({one.name, one.description, number(one)});
+  return table;
+}
+
+reports::Table observed_table(const Scene& scene, const std::vector<BodyOutcome>& outcomes) {
+  reports::Table table{"What is known and what came out",
+                       "The slide",
+                       "Not gated: nothing here was fitted to the measurement.",
+                       {"quantity", "measured", "published simulation", "here", "remark"},
+                       {}};
+  for (const Observation& known : scene.observations) {
+    const auto found = std::ranges::find(outcomes, known.quantity, &BodyOutcome::name);
+    const bool there = found != outcomes.end();
+    table.rows.push_back({there ? found->description : known.quantity, known.measured.empty() ? "-" : known.measured,
+                          known.simulated.empty() ? "-" : known.simulated, there ? number(*found) : "-", known.remark});
+  }
+  return table;
+}
+
+}  // namespace wetfront::verification

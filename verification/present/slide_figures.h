@@ -1,0 +1,24 @@
+#pragma once
+
+#include "mpm/body_record.h"
+#include "reports/record.h"
+#include "verification/compare/body_outcomes.h"
+#include "verification/scene/scene.h"
+
+#include <vector>
+
+namespace wetfront::verification {
+
+/// The body at failure and at rest, its outline through the slide, the markers' displacement and velocity. Empty where
+/// no event ended a stage and nothing was followed.
+std::vector<reports::Figure> slide_figures(const Scene& scene, const meshes::FieldHistory& history,
+                                           const mpm::BodyRecord& body);
+
+/// Stages as they went, with what each plan held.
+reports::Table stage_table(const mpm::BodyRecord& body);
+/// All of body_outcomes().
+reports::Table outcome_table(const std::vector<BodyOutcome>& outcomes);
+/// What the scene says is known ([[observed]]) beside what came out here.
+reports::Table observed_table(const Scene& scene, const std::vector<BodyOutcome>& outcomes);
+
+}  // namespace wetfront::verification

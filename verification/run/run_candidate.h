@@ -1,0 +1,20 @@
+#pragma once
+
+#include "mpm/problem.h"
+#include "verification/run/checkpoint.h"
+#include "verification/run/solve_reference.h"
+
+namespace wetfront::verification {
+
+/// How a run can be stopped and gone on with.
+struct Stopping {
+  CheckpointFile checkpoint{};  ///< no file: none is kept
+  double every = 60;            ///< s of wall time between checkpoints
+  bool resume = false;          ///< go on from the checkpoint, where there is one
+};
+
+/// Runs the candidate to its end, until it gives up or until Ctrl-C (SIGINT, SIGTERM), which leaves a checkpoint and
+/// what has been computed. The checkpoint is removed when the run reaches its end.
+Solved run_candidate(const mpm::Problem<2>& problem, const Stopping& stopping = {});
+
+}  // namespace wetfront::verification
