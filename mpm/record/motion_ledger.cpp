@@ -28,6 +28,7 @@ class MotionLedger<dim>::Last : public NodalCondition<dim> {
         std::copy((*ledger_.force_)[a] + run.first, (*ledger_.force_)[a] + run.last, (*ledger_.loaded_)[a] + run.first);
   }
   void limit_acceleration() override { ledger_.add_step(); }
+  void see_velocity() override { ledger_.add_work(0.5, false); }
 
  private:
   MotionLedger& ledger_;
@@ -72,6 +73,41 @@ void MotionLedger<dim>::see_inner_force() {
 
 template <int dim>
 void MotionLedger<dim>::add_step() {
+  add_impulse();
+  const bool maps_back = plan_->problem.skeleton.update == StressUpdate::musl;
+  if (maps_back)
+    add_work(0.5, false);
+  else
+    add_work(1, true);
+}
+
+/// Work of the forces over the step, with the nodes' present velocities; `with_change`: and half of what they gain.
+template <int dim>
+void MotionLedger<dim>::add_work(double share, bool with_change) {
+  const double dt = cycle_->dt;
+  const double* mass = (*node_mass_)[0];
+  double light = 0;
+  for (const NodeRun& run : cycle_->active->runs())
+    for (std::size_t i = run.first; with_change && i < run.last; ++i) light = std::max(light, 0.1 * mass[i]);
+  for (int a = 0; a < dim; ++a) {
+    const double *inner = (*inner_)[a], *loaded = (*loaded_)[a], *v = (*node_velocity_)[a], *at = (*acceleration_)[a];
+    const double g = plan_->problem.gravity[static_cast<std::size_t>(a)];
+    double stress = 0, load = 0, held = 0;
+    for (const NodeRun& run : cycle_->active->runs())
+      for (std::size_t i = run.first; i < run.last; ++i) {
+        const double middle = with_change ? v[i] + 0.5 * dt * at[i] * std::min(1.0, mass[i] / light) : v[i];
+        stress -= inner[i] * middle;
+        load += (loaded[i] - inner[i] - mass[i] * g) * middle;  // gravity's work is in its potential
+        held += (mass[i] * at[i] - loaded[i]) * middle;
+      }
+    (*sums_)[stress_work][0] += share * dt * stress;
+    (*sums_)[load_work][0] += share * dt * load;
+    (*sums_)[resistance][0] += share * dt * held;
+  }
+}
+
+template <int dim>
+void MotionLedger<dim>::add_impulse() {
   const double dt = cycle_->dt;
   const double* mass = (*node_mass_)[0];
   // Points that take the nodes' velocities themselves lose what held nodes have lost of theirs: where stress comes
@@ -82,22 +118,13 @@ void MotionLedger<dim>::add_step() {
   const Vector<dim> carried = mixed > 0 ? momentum() : Vector<dim>{};
   for (int a = 0; a < dim; ++a) {
     const double *inner = (*inner_)[a], *loaded = (*loaded_)[a], *v = (*node_velocity_)[a], *at = (*acceleration_)[a];
-    double stress = 0, load = 0, held = 0, pushed = 0, reacted = 0, seen = 0;
+    double pushed = 0, reacted = 0, seen = 0;
     for (const NodeRun& run : cycle_->active->runs())
       for (std::size_t i = run.first; i < run.last; ++i) {
-        const double middle = v[i] + 0.5 * dt * at[i],
-                     weight = mass[i] * plan_->problem.gravity[static_cast<std::size_t>(a)];
-        const double outer = loaded[i] - inner[i], resisting = mass[i] * at[i] - loaded[i];
-        stress -= inner[i] * middle;
-        load += (outer - weight) * middle;  // gravity's work is in its potential
-        held += resisting * middle;
-        pushed += outer;
-        reacted += resisting;
+        pushed += loaded[i] - inner[i];
+        reacted += mass[i] * at[i] - loaded[i];
         seen += mass[i] * v[i];
       }
-    (*sums_)[stress_work][0] += dt * stress;
-    (*sums_)[load_work][0] += dt * load;
-    (*sums_)[resistance][0] += dt * held;
     (*sums_)[impulse + a][0] += dt * pushed;
     (*sums_)[reaction + a][0] += dt * reacted;
     if (mixed > 0) (*sums_)[reaction + a][0] += mixed * (seen - carried[a]);

@@ -8,12 +8,18 @@ namespace wetfront::mpm {
 ///
 ///     impulse   += dt sum (f_i - f_int,i)                  weight, loads, water
 ///     reaction  += dt sum (m_i a_i - f_i)                  sides, contact, damping (and drag, where the liquid moves
-///     too) works     += dt sum of the same with (v_i + dt a_i/2), so that nodal kinetic energy follows to round-off
+///     too) works     += dt sum of the same with (v_i + v_i')/2
+///
+/// where v_i' are the points' new velocities mapped back, as MUSL does: then the works sum to the change of the points'
+/// own kinetic energy, to round-off as long as they take increments only. (With v_i + dt a_i in their place they would
+/// sum to that of the nodes, which at a node with a sliver of mass, where f/m has no bound, is larger by any factor and
+/// lost when points look.) Schemes that do not map back take v_i + dt a_i, with the same caution for light nodes as the
+/// velocities that strain.
 ///
 /// sum f_int is zero, so momentum of the points = first + impulse + reaction to round-off. What points held at the mesh
-/// border lose of their velocity no node knows: it shows as drift. The energy does not close so: points keep motion
-/// that nodes do not see, and mapping back loses some; the row's `drift` is that. Has to join after all that acts on
-/// the nodes.
+/// border lose of their velocity no node knows: it shows as drift. The energy does not close so: gravity's work is
+/// taken from where points are, who move with other velocities than (v_i + v_i')/2, and shares of PIC lose some; the
+/// row's `drift` is that. Has to join after all that acts on the nodes.
 template <int dim>
 class MotionLedger : public Effect<dim> {
  public:
@@ -39,6 +45,8 @@ class MotionLedger : public Effect<dim> {
 
   void see_inner_force();
   void add_step();
+  void add_impulse();
+  void add_work(double share, bool with_change);
   void record(double time, meshes::FieldHistory& history) const;
   Vector<dim> momentum() const;
   template <class Value>

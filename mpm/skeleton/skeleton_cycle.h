@@ -22,6 +22,9 @@ class NodalCondition {
   virtual void see_force() {}
   /// Changes "acceleration" (a_i = f_i/m_i with damping so far) so that v_i + dt a_i is what the condition allows.
   virtual void limit_acceleration() {}
+  /// MUSL: "velocity" is the points' momentum mapped back, over the nodes' mass, and nothing is held yet; changes
+  /// nothing.
+  virtual void see_velocity() {}
   /// Changes "velocity", the one that strains the points and moves them: v_i + dt a_i, or in MUSL the one mapped back
   /// from the points. The skeleton's displacement of nodes is summed after that.
   virtual void limit_velocity() {}

@@ -167,6 +167,7 @@ void DeformingSkeleton<dim>::velocity() {
   const double dt = cycle_->dt;
   if (plan_->problem.skeleton.update == StressUpdate::musl) {
     divide_momentum();
+    for (const auto& condition : cycle_->conditions) condition->see_velocity();
     hold_fixed(*c_.node_velocity);
   } else {
     for (int a = 0; a < dim; ++a)

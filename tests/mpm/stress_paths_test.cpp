@@ -136,6 +136,53 @@ TEST(SofteningPaths, TheStressFollowsTheStrengthOfItsStrain) {
   EXPECT_NEAR((b.memory[0] - a.memory[0]) / (2.0 / 3 * std::abs(axial - radial)), 1, 1e-6);
 }
 
+/// A contractive soil: sheared grains come closer until the plastic shear strain is that of the softening range.
+TEST(SofteningPaths, ALooseSoilContractsUntilTheEndOfItsRange) {
+  const MohrCoulomb loose{34 * degree, 0, -3 * degree, {}, ""}, critical{34 * degree, 0, 0, {}, ""};
+  const double range = 0.3;
+  const auto path = drive<3>(soil_with(SofteningMohrCoulomb{loose, critical, range}), isotropic(100e3),
+                             {triaxial(-0.6, 100e3, 2000)});
+  const auto volume = [](const PathState<3>& s) { return s.strain[0] + s.strain[1] + s.strain[2]; };
+  // On the edge of triaxial compression the flow (1 + s, 1 + s, -2 (1 - s)), s = sin psi, has the volume 4 s and the
+  // plastic shear 2 (1 - s/3); psi goes to zero in a straight line. The stress stands still, so all strain is plastic.
+  const auto rate = [&](double gamma) {
+    const double s = std::sin(-3 * degree * std::max(0.0, 1 - gamma / range));
+    return 2 * s / (1 - s / 3);
+  };
+  std::size_t first = 0;
+  while (path[first].memory[0] == 0) ++first;
+  ++first;  // the step in which it began to yield is part elastic
+  double expected = 0, at_range = 0;
+  for (std::size_t k = first + 1; k < path.size(); ++k) {
+    const double a = path[k - 1].memory[0], b = path[k].memory[0];
+    expected += (b - a) * rate(b);  // backward Euler, as the law
+    if (b < range) at_range = volume(path[k]);
+  }
+  EXPECT_GT(path.back().memory[0], 1.5 * range);
+  EXPECT_LT(expected, -0.01);
+  // Changes of the rate within a step (2000 steps) leave 1e-4 of it.
+  EXPECT_NEAR((volume(path.back()) - volume(path[first])) / expected, 1, 1e-3);
+  EXPECT_NEAR(volume(path.back()), at_range, 1e-5);
+}
+
+/// The same at constant volume, as under water without drainage: what cannot come closer lets its stress go, K times
+/// the contraction that is hindered.
+TEST(SofteningPaths, ALooseSoilLosesItsStressWhereItsVolumeIsKept) {
+  PathLeg<3> shear;
+  shear.strain = {0.05, 0.05, -0.1, 0, 0, 0};
+  shear.steps = 1000;
+  const double range = 0.3, bulk = 10e6 / (3 * (1 - 2 * 0.3));
+  const MohrCoulomb loose{34 * degree, 0, -3 * degree, {}, ""}, critical{34 * degree, 0, 0, {}, ""};
+  const auto path = drive<3>(soil_with(SofteningMohrCoulomb{loose, critical, range}), isotropic(100e3), {shear});
+  double lost = 0;
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const double gamma = path[k].memory[0], s = std::sin(-3 * degree * (1 - gamma / range));
+    lost -= bulk * (gamma - path[k - 1].memory[0]) * 2 * s / (1 - s / 3);
+  }
+  EXPECT_GT(lost, 60e3);
+  EXPECT_NEAR((100e3 - pressure_and_shear(path.back().stress).p) / lost, 1, 1e-6);
+}
+
 TEST(SuctionPaths, StrengthGrowsWithSuctionAndWettingTakesItBack) {
   const SuctionMohrCoulomb spec{{30 * degree, 2e3, 0, {}, ""}, 8e3, 3, 10 * degree};
   PathStart<3> dry = isotropic(50e3);
