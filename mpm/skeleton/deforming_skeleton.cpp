@@ -67,7 +67,25 @@ void DeformingSkeleton<dim>::begin_points(StagePlan<dim>& plan) {
       }
     }
   }
+  if (c_.affine != nullptr && plan.problem.initial_velocity) begin_affine(plan);
   for (std::size_t r = 0; r < soils_.size(); ++r) soils_[r]->begin(points.blocks(static_cast<int>(r)));
+}
+
+/// The gradient of the given velocity: without it a body that turns would begin with the spin of its points' centres
+/// only. Central differences over a thousandth of a cell, exact for linear velocities to 1e-12.
+template <int dim>
+void DeformingSkeleton<dim>::begin_affine(StagePlan<dim>& plan) {
+  const auto& points = plan.fields.points;
+  for (const Block& block : points.blocks()) {
+    const double arm = 1e-3 * altitude_[block.cell];
+    for (std::size_t p = block.first; p < block.first + block.count; ++p)
+      for (int b = 0; b < dim; ++b) {
+        Vector<dim> before = points.position(p), after = before;
+        before[b] -= arm, after[b] += arm;
+        const Vector<dim> low = plan.problem.initial_velocity(before), high = plan.problem.initial_velocity(after);
+        for (int a = 0; a < dim; ++a) (*c_.affine)[a * dim + b][p] = (high[a] - low[a]) / (2 * arm);
+      }
+  }
 }
 
 template <int dim>

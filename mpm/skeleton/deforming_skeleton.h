@@ -27,6 +27,7 @@ class DeformingSkeleton : public Effect<dim> {
   void provide_columns(StagePlan<dim>& plan);
   void provide_variants(StagePlan<dim>& plan);
   void begin_points(StagePlan<dim>& plan);
+  void begin_affine(StagePlan<dim>& plan);
   void find_fixed(StagePlan<dim>& plan);
   void choose_laws(StagePlan<dim>& plan);
   void add_kernels(StagePlan<dim>& plan);

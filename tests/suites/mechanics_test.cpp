@@ -16,7 +16,6 @@ using namespace testing;
 /// tests say that it is known.
 const std::map<std::string, std::string> open_cases = {
     {"bar_crossing", "quadratic splines lose the bar's phase when points cross cells: 5.7 % against 3 %"},
-    {"rotation_2d", "APIC loses 3.1 % of its angular momentum a turn against 2 %"},
 };
 
 TEST_P(SuiteCase, Passes) {
