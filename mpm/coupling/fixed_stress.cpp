@@ -16,7 +16,7 @@ namespace {
 constexpr int most_passes = 30;
 /// Near failure the skeleton goes on moving in every pass. What flow and skeleton then disagree by is carried into the
 /// next step, and whether the skeleton has failed is for the relaxation to say.
-constexpr int most_passes_near_failure = 8;
+constexpr int most_passes_near_failure = 2;
 
 }  // namespace
 

@@ -247,6 +247,8 @@ void SeepageStep<dim>::run() {
       dt = std::min(dt, first_step());
     }
   } else if ((*c_.steps)[step_history][0] == step_after_jump) {
+    // A run that was cut here has not been told yet what falls.
+    for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + dt);
     dt = std::min(dt, first_step());
   }
   const double tolerance = plan_.stage.time_tolerance;

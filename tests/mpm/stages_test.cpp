@@ -1,0 +1,134 @@
+// A body that fails, slides and rests in one run: stages that events end, soil and water in true time.
+#include "mpm/simulation.h"
+#include "tests/mpm/continuation.h"
+#include "tests/mpm/plane.h"
+#include "tests/mpm/strip.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace wetfront::mpm {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// Rain on a layer of sand, 0.6 m on a base that rises by 28 degrees over the middle part, with room above it.
+Problem<2> slope(int along, int over) {
+  const auto base = [](double x) { return std::tan(28 * degree) * std::clamp(x - 1.5, 0.0, 3.0); };
+  Problem<2> problem = test::seed_column(2, 0.087, 2e-4, 600);
+  problem.mesh = test::plane(along, 2 * over, [&](double u, double v) {
+    return meshes::Point{6 * u, base(6 * u) + 1.2 * v, 0};
+  });
+  problem.surface = {{0, 0.6, 0}, {1.5, 0.6, 0}, {4.5, base(4.5) + 0.6, 0}, {6, base(6) + 0.6, 0}};
+  problem.initial_pressure.assign(problem.mesh.node_count(), -3000);
+  problem.water->bulk_modulus = 2e7;  // soft, for steps ten times as long
+  problem.soils[0].elastic = Elastic{2e6, 0.3, "o"};
+  problem.soils[0].law = MohrCoulomb{30 * degree, 0, 0, 0.0, "o"};
+  problem.water_boundary = {RainSide{free_surface, {{0}, {2e-4}}, "o"}};
+  problem.fixities = {
+      {"base", {true, true, false}, "o"}, {"left", {true, false, false}, "o"}, {"right", {true, false, false}, "o"}};
+  problem.initial_stress = InitialStress::k0;
+  problem.skeleton.pic = 0.002;
+  problem.probes.clear();
+  problem.riders = {{"marker", {3, base(3) + 0.55, 0}, "o"}};
+  Stage& rain = problem.stages[0];
+  rain.motion = SkeletonMotion::quasi_static;
+  rain.ends_with = StageEnd::failure;
+  rain.time_tolerance = 1e-3;
+  rain.relaxation.coupling_tolerance = 1e-3;
+  Stage slide = rain;
+  slide.name = "slide";
+  slide.motion = SkeletonMotion::dynamic;
+  slide.ends_with = StageEnd::rest;
+  slide.end_time = rain.end_time + 3;
+  slide.longest = 3;
+  slide.picture_every = 0.5;
+  problem.stages.push_back(slide);
+  problem.output_times = {100};
+  return problem;
+}
+
+TEST(Stages, ASlopeFailsSlidesAndRests) {
+  Simulation<2> simulation(slope(24, 4));
+  while (!simulation.finished()) simulation.step();
+  const BodyRecord body = simulation.body();
+  const auto history = simulation.take_history();
+  ASSERT_EQ(body.stages.size(), 2u);
+  EXPECT_EQ(body.stages[0].ended_by, "failure") << body.stages[0].reason;
+  EXPECT_LT(body.stages[0].end, 600);
+  EXPECT_EQ(body.stages[1].begin, body.stages[0].end);
+  // The marker moved in the slide, not before it.
+  const Rider& rider = body.riders.at(0);
+  const auto moved = [&](std::size_t k) {
+    return std::hypot(rider.place[k][0] - rider.start[0], rider.place[k][1] - rider.start[1]);
+  };
+  EXPECT_GT(moved(rider.time.size() - 1), 0.02);
+  // Water: what points carry changes by what passes the surface alone, to round-off.
+  const auto &first = history.ledger.front(), &last = history.ledger.back();
+  EXPECT_NEAR(last.stored - first.stored, last.infiltrated - last.outflow, 1e-9 * last.rain_asked);
+  // Pictures: at failure first.
+  ASSERT_FALSE(body.pictures.empty());
+  EXPECT_EQ(body.pictures[0].of, "failure");
+  EXPECT_EQ(body.pictures[0].displacement.size(), body.pictures.back().displacement.size());
+  ASSERT_FALSE(history.motion.empty());
+}
+
+TEST(Stages, ASlopeThatStandsEndsTheRun) {
+  Problem<2> problem = slope(12, 2);
+  problem.stages[0].end_time = 60;
+  problem.stages[1].end_time = 63;
+  problem.output_times = {30};
+  Simulation<2> simulation(problem);
+  while (!simulation.finished()) simulation.step();
+  EXPECT_EQ(simulation.body().stages.size(), 1u);
+  EXPECT_EQ(simulation.body().stages[0].ended_by, "time");
+  EXPECT_EQ(simulation.time(), 60);
+  // Rain on a surface that settles, in steps that solve the flow several times: all of it.
+  const auto history = simulation.take_history();
+  EXPECT_NEAR(history.ledger.back().rain_asked / (2e-4 * 6 * 60), 1, 1e-9);
+}
+
+TEST(Stages, ACutRunGoesOnWithTheSameBits) {
+  Problem<2> problem = slope(12, 2);
+  problem.stages[1].longest = 0.5;
+  problem.stages[1].picture_every = 0;
+  Simulation<2> whole(problem);
+  long steps = 0;
+  for (; !whole.finished(); ++steps) whole.step();
+  test::expect_continuation(problem, std::max(1L, steps / 6), 1);
+}
+
+/// A closed box, full, without weight, pressed together from above.
+TEST(TrueTime, AFullBoxAnswersUndrained) {
+  Problem<2> problem = slope(1, 1);
+  problem.mesh = test::box(1, 1, 4, 4);
+  problem.surface.clear();
+  problem.riders.clear();
+  problem.gravity = {0, 0};
+  problem.initial_stress = InitialStress::none;
+  problem.initial_pressure.assign(problem.mesh.node_count(), 1000);
+  problem.water_boundary.clear();
+  problem.soils[0].law.reset();
+  MovingSide top{"top", {}, {}, "o"};
+  top.velocity[1] = -1e-3;
+  problem.skeleton_boundary = {top};
+  problem.stages = {problem.stages[1]};
+  problem.stages[0].ends_with = StageEnd::time;
+  problem.stages[0].longest = 0;
+  problem.stages[0].picture_every = 0;
+  problem.stages[0].end_time = 0.5;
+  problem.stages[0].local_damping = 0.1;
+  problem.output_times = {0.5};
+  const auto history = run<2>(problem);
+  const double strain = 1e-3 * 0.5, expected = 1000 + problem.water->bulk_modulus * strain / problem.soils[0].porosity;
+  for (const double p : history.snapshots.back().node_pressure) EXPECT_NEAR(p / expected, 1, 0.01);
+  // The pores have given way to the water that they hold, to round-off.
+  const auto &first = history.ledger.front(), &last = history.ledger.back();
+  EXPECT_NEAR(last.stored / first.stored, 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace wetfront::mpm
