@@ -119,7 +119,7 @@ bool read_end(SectionReader& reader, Stage& stage, const Reading& reading) {
       stage.until.value += *before;
     return true;
   }
-  if (!reader.has("until")) reader.missing("until", "a stage has an end");
+  if (!reader.has("until")) reader.missing("until", "end of the stage since the start of the run");
   if (!until) return false;
   stage.until = *until;
   check_end(reader, stage, reading);
