@@ -72,8 +72,11 @@ void BlowUp<dim>::examine() {
     if (streak_[reversals][i] >= shortest_ && square > std::max(growth * growth * streak_[largest_at_first][i], floor_))
       throw StepFailed(report(i, std::sqrt(square)));
   }
+  // A body in motion is quiet at times and struck at others: there a node keeps the largest change that it has known.
+  const bool moves = shortest_ == shortest_in_motion;
   for (std::size_t i = 0; i < before_.size(); ++i)
-    if (streak_[reversals][i] == 0) streak_[largest_at_first][i] = largest;
+    if (streak_[reversals][i] == 0)
+      streak_[largest_at_first][i] = moves ? std::max(largest, streak_[largest_at_first][i]) : largest;
 }
 
 template <int dim>

@@ -55,7 +55,9 @@ double MovingLiquid<dim>::limit(int soil, double steps_ahead, double growth, dou
     const double n = sums.pores / sums.volume, wet = sums.water / sums.volume, per_storage = 1 / (n * slope);
     const double all = sums.group < 0 ? sums.volume : groups_[static_cast<std::size_t>(sums.group)].volume;
     const double fill = std::min(1.0, all / geometry.volume);
-    const double s = sums.saturation, k = mapped * geometry.stiffness / fill;
+    // What is decided at rained nodes is restored after mapping: nothing of it is lost there.
+    const double kept = !rained_.empty() && body_.is_open(block.cell) ? 1 : mapped;
+    const double s = sums.saturation, k = kept * geometry.stiffness / fill;
     cell.liquid = wet * w_.density;
     cell.mixture = (1 - n) * laws.grain_density + cell.liquid;
     cell.k11 = mapped * geometry.stiffness * dim * modulus + k * s * s * per_storage;

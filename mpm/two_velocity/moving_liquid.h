@@ -5,6 +5,8 @@
 #include "mpm/two_velocity/moving_cells.h"
 #include "mpm/two_velocity/water.h"
 
+#include <algorithm>
+#include <limits>
 #include <span>
 
 namespace wetfront::mpm {
@@ -38,6 +40,13 @@ class MovingLiquid {
 
   const Body<dim>& body() const { return body_; }
   const LiquidBlock<dim>& block(const Block& block) const { return blocks_[place(block)]; }
+  /// Of the soils in an occupied cell [Pa].
+  double lowest_pressure(std::size_t cell) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t at = cell; at < blocks_.size(); at += geometry_.size())
+      if (plan_.fields.points.count_of_cell()[at] > 0) lowest = std::min(lowest, blocks_[at].pressure);
+    return lowest;
+  }
   double stored() const { return stored_; }  ///< sum of pores e(p) [m^dim]
   double held() const { return held_; }      ///< sum of W_p [m^dim]
 

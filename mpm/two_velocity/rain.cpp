@@ -103,6 +103,7 @@ void RainOnTwoVelocity<dim>::collect_from_body(const StagePlan<dim>& plan) {
       Node& node = found[index];
       node.index = index;
       node.mobility = soil.intrinsic_permeability / plan.problem.water->viscosity;
+      node.cells.push_back(outer.cell);
       for (int a = 0; a < dim; ++a) node.normal[a] += integrals[k][a];
       for (int boundary : outer.rains) {
         const auto rain = static_cast<std::size_t>(rain_of_boundary_[static_cast<std::size_t>(boundary)]);
@@ -137,6 +138,12 @@ void RainOnTwoVelocity<dim>::refuse_to_miss(double time) const {
   }
 }
 
+template <int dim>
+bool RainOnTwoVelocity<dim>::may_leave(const Node& node) const {
+  return std::all_of(node.cells.begin(), node.cells.end(),
+                     [this](std::size_t cell) { return water_->liquid->lowest_pressure(cell) > 0; });
+}
+
 /// Rain that reaches a node [m^dim/s].
 template <int dim>
 double RainOnTwoVelocity<dim>::rate(const Node& node, double time) const {
@@ -169,8 +176,10 @@ void RainOnTwoVelocity<dim>::correct(double time, double dt) {
     const bool ponded = residual >= 0;
     (*ponded_)[0][i] = ponded ? 1 : 0;
     node.flux = ponded ? residual - rain : -rain;
+    const bool held_back = node.flux > 0 && !may_leave(node);
+    if (held_back) node.flux = 0;
     Velocities<dim> v = capacity;
-    if (!ponded) {
+    if (!ponded || held_back) {
       for (int a = 0; a < dim; ++a) v.liquid[a] = (*w.velocity_new)[a][i];
       v.solid = w.skeleton->get_new(i, dt);
       Vector<dim> change = node.along;

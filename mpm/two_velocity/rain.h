@@ -33,8 +33,12 @@ class RainOnTwoVelocity : public Effect<dim> {
     double mobility = 0;                                ///< k/mu, saturated [m2/(Pa s)]
     bool closed = false;                                ///< by walls: all its rain runs off
     double flux = 0;                                    ///< w.n decided in step II [m/s]
+    std::vector<std::size_t> cells;                     ///< behind, of a moving body
     std::vector<std::pair<std::size_t, double>> rains;  ///< rain, horizontal area [m^(dim-1)]
   };
+  /// Water leaves a moving body only where all cells behind the node are full: what a full one presses out would
+  /// else be taken from an empty one beside it.
+  bool may_leave(const Node& node) const;
   void collect(const StagePlan<dim>& plan);
   void collect_from_body(const StagePlan<dim>& plan);
   void settle(std::size_t index, Node& node);

@@ -79,6 +79,23 @@ TEST(WetSlope, SlidesThroughCellsAndKeepsItsWater) {
   for (double drift : motion.momentum_drift) EXPECT_NEAR(drift, 0, 1e-9 * motion.motion);
 }
 
+/// All of it full of water under seven times the rain that it can take: its surface ponds and seeps while cells fill
+/// and empty.
+TEST(WetSlope, PondsWhileItSlides) {
+  Problem<2> problem = wet_slope(0.9);
+  for (std::size_t i = 0; i < problem.initial_pressure.size(); ++i) problem.initial_pressure[i] += 9810 * 0.3;
+  problem.water_boundary = {RainSide{free_surface, {{0}, {2e-3}}, "test:rain"}};
+  const auto history = run(problem);
+  const auto &first = history.ledger.front(), &last = history.ledger.back();
+  EXPECT_NEAR(last.stored - first.stored, last.infiltrated - last.outflow, 1e-12 * first.stored);
+  EXPECT_NEAR(last.infiltrated + last.run_off, last.rain_asked, 1e-12 * last.rain_asked);
+  EXPECT_GT(last.run_off, 0.1 * last.rain_asked);
+  EXPECT_GT(last.infiltrated, 0.05 * last.rain_asked);
+  EXPECT_GT(history.counters.at("points that changed cells"), 500);
+  for (double p : history.snapshots.back().cell_pressure)
+    if (!std::isnan(p)) EXPECT_LT(std::abs(p), 230e3);
+}
+
 TEST(WetSlope, CutAndContinueGivesTheSameBitsWhileItYields) {
   const Problem<2> problem = wet_slope(0.35);
   Simulation<2> whole(problem);
