@@ -62,6 +62,10 @@ std::string share_style(const std::string& header, const std::string& cell) {
   return " style=\"--share:" + number_text(std::max(0.01, share), 4) + "%\" data-share";
 }
 
+std::string linked(const std::string& text, const std::string& link) {
+  return link.empty() ? html(text) : "<a href=\"" + html(url_path(link)) + "\">" + html(text) + "</a>";
+}
+
 std::string table_html(const Table& table) {
   std::ostringstream out;
   out << "<div class=\"wide\"><table class=\"plain\"><caption><b>" << html(table.title) << "</b>";
@@ -71,11 +75,12 @@ std::string table_html(const Table& table) {
   for (std::size_t c = 0; c < table.header.size(); ++c)
     out << "<th" << kind(c) << ">" << html(table.header[c]) << "</th>";
   out << "</tr></thead><tbody>\n";
-  for (const auto& row : table.rows) {
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const auto& row = table.rows[r];
     out << "<tr>";
     for (std::size_t c = 0; c < row.size(); ++c)
       out << "<td" << kind(c) << (c < table.header.size() ? share_style(table.header[c], row[c]) : "") << ">"
-          << html(row[c]) << "</td>";
+          << (c == 0 && r < table.links.size() ? linked(row[c], table.links[r]) : html(row[c])) << "</td>";
     out << "</tr>\n";
   }
   out << "</tbody></table></div>\n";
@@ -139,7 +144,7 @@ std::string section_content(const Record& record, const std::vector<DrawnFigure>
 
 std::string header_html(const Record& record) {
   std::ostringstream out;
-  out << "<header><p class=\"kind\">wetfront · comparison report</p><h1>"
+  out << "<header><p class=\"kind\">wetfront · " << html(record.kind) << "</p><h1>"
       << html(record.title.empty() ? record.case_name : record.title) << "</h1><p class=\"summary\">"
       << badge(record.verdict) << "<span>" << verdict_counts(record) << "</span><span>"
       << html(duration_text(record.cpu_seconds)) << " of CPU time</span><span>case <b>" << html(record.case_name)
@@ -171,8 +176,9 @@ std::string whole_page(const std::string& title, const std::string& body) {
 
 std::string report_page(const Record& record, const std::vector<DrawnFigure>& drawn) {
   std::string navigation = "<nav><a href=\"#section-verdicts\">Verdicts</a>";
-  std::string sections = "<section id=\"section-verdicts\"><h2>Verdicts</h2>\n" + verdict_table(record) + how_to_read +
-                         section_content(record, drawn, "Verdicts") + "</section>\n";
+  std::string sections = "<section id=\"section-verdicts\"><h2>Verdicts</h2>\n" + verdict_table(record) +
+                         (record.findings.empty() ? "" : how_to_read) + section_content(record, drawn, "Verdicts") +
+                         "</section>\n";
   for (const std::string& section : section_order(record)) {
     const std::string content = section_content(record, drawn, section);
     if (content.empty()) continue;

@@ -56,6 +56,7 @@ struct Table {
   std::string title, section, caption;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
+  std::vector<std::string> links{};  ///< per row, relative to the page: where its first cell leads; "" nowhere
 };
 
 /// A field file for ParaView: nodal and cell fields on a mesh, or values at points.
@@ -75,6 +76,7 @@ struct FieldFile {
 };
 
 struct Record {
+  std::string kind = "comparison report";  ///< what the page is, in its heading
   std::string case_name, title, requirement;
   std::string scene_path, scene_text;
   Verdict verdict = Verdict::info;

@@ -138,17 +138,17 @@ Figure figure_from(const Json& json) {
 }
 
 Json table_json(const Table& table) {
-  return {{"title", table.title},
-          {"section", table.section},
-          {"caption", table.caption},
-          {"header", table.header},
-          {"rows", table.rows}};
+  return {{"title", table.title},   {"section", table.section}, {"caption", table.caption},
+          {"header", table.header}, {"rows", table.rows},       {"links", table.links}};
 }
 
 Table table_from(const Json& json) {
-  return {json.at("title").get<std::string>(), json.at("section").get<std::string>(),
-          json.at("caption").get<std::string>(), json.at("header").get<std::vector<std::string>>(),
-          json.at("rows").get<std::vector<std::vector<std::string>>>()};
+  return {json.at("title").get<std::string>(),
+          json.at("section").get<std::string>(),
+          json.at("caption").get<std::string>(),
+          json.at("header").get<std::vector<std::string>>(),
+          json.at("rows").get<std::vector<std::vector<std::string>>>(),
+          json.value("links", std::vector<std::string>{})};
 }
 
 std::string dump(const Json& json) {
@@ -182,6 +182,7 @@ Record record_from(const Json& json) {
     throw std::runtime_error("its schema is '" + schema + "' (this program reads '" + result_schema +
                              "'). Use the version of wetfront that wrote it, or run the case again.");
   Record record;
+  record.kind = json.value("kind", record.kind);
   record.case_name = json.at("case").get<std::string>();
   record.title = json.at("title").get<std::string>();
   record.requirement = json.at("requirement").get<std::string>();
@@ -217,6 +218,7 @@ const char* verdict_key(Verdict verdict) {
 std::string to_json(const Record& record) {
   Json json;
   json["schema"] = result_schema;
+  json["kind"] = record.kind;
   json["case"] = record.case_name;
   json["title"] = record.title;
   json["requirement"] = record.requirement;

@@ -12,17 +12,46 @@ namespace wetfront::verification::commands {
 
 using Paths = std::vector<std::filesystem::path>;
 
-int run(const Paths& scenes, const std::filesystem::path& out, const RunOptions& options);
+/// How scenes are run.
+struct RunRequest {
+  RunOptions options;
+  std::vector<std::string> settings;  ///< "rain.intensity=2e-5", for every scene
+  std::string quantity;               ///< that the accuracy is meant of; empty: pressure_l2
+  std::filesystem::path study;        ///< where a study of accuracy is kept; empty: out/study_accuracy_<scene>
+};
+int run(const Paths& scenes, const std::filesystem::path& out, const RunRequest& request);
 int explain(const Paths& scenes);
 int check(const Paths& scenes);
 int reference(const std::filesystem::path& scene, const std::filesystem::path& out, const ReferenceStore& store);
 /// A result folder again from its result.json; of a folder that holds several, the page over all of them.
 int report(const std::filesystem::path& folder);
+/// Another code's stored result, declared in a file, against the reference of a scene.
+int compare(const std::filesystem::path& scene, const std::filesystem::path& declaration,
+            const std::filesystem::path& out, const ReferenceStore& store);
 int new_scene(const std::string& name);
 int schema(bool as_page);
 /// A suite of cases: one page per case, one index. `heavy`: also what takes long; `only`: cases whose name contains it
 /// (empty: all). Throws std::invalid_argument for a suite that is not there.
 int verify(const std::string& suite, const std::filesystem::path& out, bool heavy, const std::string& only);
 std::vector<std::string> suite_names();
+
+/// What the studies are asked for.
+struct StudyRequest {
+  std::filesystem::path scene, out;   ///< out: empty for out/study_<kind>_<scene>
+  std::vector<std::string> settings;  ///< "rain.intensity=1e-5,2e-5"
+  int jobs = 0;                       ///< points at a time; 0: one per processor
+  bool list = false, gather = false;
+  int point = -1;  ///< compute this one alone
+  ReferenceStore store;
+  std::vector<std::string> command;  ///< the program's own arguments, for its workers
+};
+/// Any scene value swept, several at once: every combination, side by side, resumed where it was interrupted.
+int study_vary(const StudyRequest& request);
+/// What accuracy costs: schemes, cells, tolerances, points per cell; `budget`: CPU seconds that one point may cost.
+int study_accuracy(const StudyRequest& request, double budget);
+/// Which effects matter: each left out or added in turn.
+int study_effects(const StudyRequest& request, double budget);
+/// A run with the ledger of differences.
+int study_difference(const StudyRequest& request);
 
 }  // namespace wetfront::verification::commands

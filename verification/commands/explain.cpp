@@ -3,6 +3,7 @@
 #include "verification/present/plan_text.h"
 #include "verification/run/run_scene.h"
 #include "verification/scene/read.h"
+#include "verification/study/effects.h"
 #include "verification/translate/mpm_lacks.h"
 
 #include <fmt/format.h>
@@ -29,6 +30,11 @@ int explain(const Paths& scenes) {
           prepared.scene.reference->tolerance / 10);
     else
       fmt::print("reference: none, the scene asks for no comparison\n");
+    const auto folder = std::filesystem::path("out") / ("study_effects_" + case_name(path));
+    if (const auto sentences = stored_effects(scene, folder); !sentences.empty()) {
+      fmt::print("\nwhat the scene needs, by the study of effects in {}:\n", folder.string());
+      for (const std::string& sentence : sentences) fmt::print("  {}\n", sentence);
+    }
   }
   return 0;
 }

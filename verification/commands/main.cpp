@@ -21,6 +21,7 @@ constexpr const char* footer = R"(Examples:
   wetfront run verification/cases/seed_column/scene_3e-5.toml
   wetfront run verification/cases/seed_column/*.toml        several scenes, one index page
   wetfront explain verification/cases/dry_column/scene.toml
+  wetfront study vary SCENE --set rain.intensity=1e-5,2e-5 --set mpm.points_per_cell=4,9
   wetfront new my_slope.toml
 
 Exit codes: 0 all pass, 1 a comparison failed, 2 bad input, 3 a solver gave up, 4 inconclusive.)";
@@ -39,7 +40,7 @@ int guarded(const std::function<int()>& command) {
 
 struct Arguments {
   commands::Paths scenes;
-  std::filesystem::path scene, folder, out;
+  std::filesystem::path scene, folder, out, declaration;
   std::string name, suite, only, accuracy;
   bool resume = false, page = false, no_store = false, heavy = false;
   wetfront::verification::ReferenceStore store{"out/.references"};
@@ -57,6 +58,19 @@ double fraction(const std::string& text) {
     throw std::invalid_argument("--accuracy " + text +
                                 " is no accuracy (a relative error between 0 and 1 is meant). Write e.g. 1% or 0.01");
   return value;
+}
+
+/// What every study takes.
+void add_study(CLI::App* study, commands::StudyRequest& request) {
+  study->add_option("SCENE", request.scene, "scene file (.toml)")->required();
+  study->add_option("--out", request.out, "output folder (default out/study_<kind>_<scene>)");
+  study->add_option("--jobs", request.jobs, "points at a time (default: one per processor)")
+      ->check(CLI::PositiveNumber);
+  auto* list = study->add_flag("--list", request.list, "show the points and their numbers, run nothing");
+  auto* point = study->add_option("--point", request.point, "compute this point alone: for job arrays")
+                    ->check(CLI::NonNegativeNumber);
+  study->add_flag("--gather", request.gather, "write the page from points computed with --point")
+      ->excludes(list, point);
 }
 
 /// Where solutions of the reference are kept between runs.
@@ -94,15 +108,29 @@ int main(int argc, char** argv) {
 
   const auto store = [&] { return arguments.no_store ? wetfront::verification::ReferenceStore{} : arguments.store; };
 
+  commands::RunRequest run_request;
   auto* run = add("run", "mesh -> reference -> MPM -> comparison -> report", [&] {
-    return commands::run(arguments.scenes, arguments.out, {store(), fraction(arguments.accuracy), arguments.resume});
+    run_request.options.store = store();
+    run_request.options.accuracy = fraction(arguments.accuracy);
+    run_request.options.resume = arguments.resume;
+    return commands::run(arguments.scenes, arguments.out, run_request);
   });
   add_scenes(run, arguments);
   run->add_option("--out", arguments.out, "output folder (default out/<scene>; with several scenes the folder above)");
 
   run->add_flag("--resume", arguments.resume, "go on from the checkpoint that a stopped run has left in its folder");
-  run->add_option("--accuracy", arguments.accuracy,
-                  "refine cells and time steps of the MPM until its own estimated error is within this, e.g. 1%");
+  run->add_option(
+      "--accuracy", arguments.accuracy,
+      "the cheapest setting of a stored study of accuracy whose error is within this, e.g. 1%; without a study, "
+      "cells and time steps of the MPM are refined until its own estimated error is");
+  run->add_option("--quantity", run_request.quantity,
+                  "what the accuracy is meant of (default pressure_l2); needs a study")
+      ->needs("--accuracy");
+  run->add_option("--study", run_request.study, "folder of that study (default out/study_accuracy_<scene>)");
+  run->add_option("--set", run_request.settings, "PATH=VALUE: a value of the scene set anew, e.g. rain.intensity=2e-5")
+      ->allow_extra_args(false);
+  run->add_flag("--ledger", run_request.options.ledger,
+                "also where the differences come from: runs both solvers several times more");
   add_store(run, arguments);
 
   add_scenes(add("explain", "effects and what called for them, columns, step limits, cost; runs nothing",
@@ -122,6 +150,57 @@ int main(int argc, char** argv) {
   verify->add_option("--out", arguments.out, "output folder (default out/verify_<suite>)");
   verify->add_flag("--heavy", arguments.heavy, "also the cases that take long (minutes in all)");
   verify->add_option("--only", arguments.only, "only cases whose name contains this");
+
+  CLI::App* study = app.add_subcommand("study", "sweeps: what varies, what accuracy costs, which effects matter");
+  study->require_subcommand(1);
+  commands::StudyRequest request;
+  double budget = 20;
+  request.command.assign(argv + 1, argv + argc);
+  auto* vary = study->add_subcommand("vary", "any scene value swept, several at once");
+  vary->callback([&] {
+    command = [&] {
+      request.store = store();
+      return commands::study_vary(request);
+    };
+  });
+  add_study(vary, request);
+  vary->add_option("--set", request.settings,
+                   "PATH=V1,V2,...: e.g. rain.intensity=1e-5,2e-5 or soil[sand].porosity=0.4")
+      ->required()
+      ->allow_extra_args(false);
+  add_store(vary, arguments);
+
+  const auto add_kind = [&](const char* name, const char* help, std::function<int()> action) {
+    auto* kind = study->add_subcommand(name, help);
+    kind->callback([&, action = std::move(action)] {
+      command = [&, action] {
+        request.store = store();
+        return action();
+      };
+    });
+    add_study(kind, request);
+    add_store(kind, arguments);
+    return kind;
+  };
+  auto* accuracy = add_kind("accuracy", "error over CPU seconds: schemes, cells, tolerances, points per cell",
+                            [&] { return commands::study_accuracy(request, budget); });
+  accuracy->add_option("--budget", budget, "CPU seconds that one point may be expected to cost (default 20)");
+  auto* effects = add_kind("effects", "each effect left out or added in turn: which the scene needs",
+                           [&] { return commands::study_effects(request, budget); });
+  effects->add_option("--budget", budget, "CPU seconds that one point may be expected to cost (default 20)");
+  add_kind("difference", "where the difference between MPM and reference comes from",
+           [&] { return commands::study_difference(request); });
+
+  auto* compare = add("compare", "another code's stored result against a scene's reference", [&] {
+    return commands::compare(arguments.scene, arguments.declaration, arguments.out, store());
+  });
+  compare->add_option("SCENE", arguments.scene, "scene file (.toml) whose reference counts")->required();
+  compare
+      ->add_option("RESULT", arguments.declaration,
+                   "declaration (.result, TOML) of the result: its files, times, arrays, units and signs")
+      ->required();
+  compare->add_option("--out", arguments.out, "output folder (default out/compare_<result>)");
+  add_store(compare, arguments);
 
   auto* report =
       add("report", "render a result folder again from its result.json, or the page over a folder of results",

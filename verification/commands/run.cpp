@@ -2,13 +2,17 @@
 #include "verification/commands/commands.h"
 #include "verification/compare/verdict.h"
 #include "verification/run/run_scene.h"
+#include "verification/scene/quantities.h"
 #include "verification/scene/read.h"
+#include "verification/study/accuracy.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 namespace wetfront::verification::commands {
@@ -69,17 +73,81 @@ std::map<std::filesystem::path, std::filesystem::path> folders_for(const Paths& 
   return folder_of;
 }
 
+/// Settings that a study of accuracy found cheapest for what is asked, with a sentence about it; nothing where no study
+/// is kept that has one.
+struct Chosen {
+  std::vector<Setting> settings;
+  std::string sentence;
+};
+std::optional<Chosen> chosen_by_study(const Scene& scene, const RunRequest& request, double accuracy) {
+  if (!scene.reference || std::holds_alternative<MeshFile>(scene.geometry.shape)) return {};
+  const std::string quantity = request.quantity.empty() ? "pressure_l2" : request.quantity;
+  const auto folder = request.study.empty() ? std::filesystem::path("out") / ("study_accuracy_" + case_name(scene.path))
+                                            : request.study;
+  const auto points = accuracy_points(scene, std::numeric_limits<double>::infinity());
+  std::vector<PointResult> results;
+  std::vector<StudyPoint> of;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (auto kept = kept_point(point_folder(folder, i, points[i].point), point_hash(scene.path, points[i].point))) {
+      results.push_back(std::move(*kept));
+      of.push_back(points[i].point);
+    }
+  if (results.empty()) return {};
+  const auto best = cheapest(results, quantity, accuracy);
+  if (!best)
+    throw std::invalid_argument(
+        fmt::format("--accuracy: none of the {} settings studied in {} brings {} within {:g} (the "
+                    "finest is not fine enough). Give the scene more cells and study it again",
+                    results.size(), folder.string(), quantity, accuracy));
+  const std::string unit = find_quantity(quantity)->unit;
+  return Chosen{
+      of[*best].settings,
+      fmt::format("accuracy {} of {} was asked for; of the {} settings studied in {} the cheapest that reaches "
+                  "it is '{}': {} there, {:.3g} CPU-s",
+                  amount(accuracy, unit), quantity, results.size(), folder.string(), of[*best].name,
+                  amount(bounded_error_of(results[*best], quantity), unit), results[*best].candidate_cpu)};
+}
+
+/// The scene as it is to be run: with what was set and, where a study knows, with what reaches the accuracy.
+Scene scene_for(const std::filesystem::path& path, const RunRequest& request, RunOptions& options) {
+  std::vector<Setting> settings;
+  for (const std::string& text : request.settings) settings.push_back(read_setting(text));
+  Scene scene = read_scene(path, settings);
+  if (!(options.accuracy > 0)) return scene;
+  if (!settings.empty()) return scene;  // studied as the file has it
+  const auto chosen = chosen_by_study(scene, request, options.accuracy);
+  if (!chosen && !request.quantity.empty() && request.quantity != "pressure_l2")
+    throw std::invalid_argument("--quantity " + request.quantity +
+                                ": no study of accuracy of this scene is kept (what the "
+                                "program finds by itself is an accuracy of pressure). Run `wetfront study accuracy " +
+                                path.string() + "` first");
+  if (!chosen) return scene;
+  options.accuracy = 0;
+  options.notes.push_back(chosen->sentence);
+  fmt::print("{}\n", chosen->sentence);
+  return read_scene(path, chosen->settings);
+}
+
 }  // namespace
 
-int run(const Paths& scenes, const std::filesystem::path& out, const RunOptions& options) {
+int run(const Paths& scenes, const std::filesystem::path& out, const RunRequest& request) {
+  if (!request.quantity.empty() && !find_quantity(request.quantity))
+    throw std::invalid_argument("--quantity " + request.quantity +
+                                ": there is no such quantity (a tolerance could not be "
+                                "put on it either). SCENE.md lists them");
+  if (!request.quantity.empty() && find_quantity(request.quantity)->unit != "1")
+    throw std::invalid_argument("--quantity " + request.quantity + ": its errors are told in " +
+                                find_quantity(request.quantity)->unit + " (an accuracy is relative). Name another");
   const auto folder_of = folders_for(scenes, out);
   std::vector<Scene> read;  // all of them before any is run: a typo in the last must not cost the first
-  for (const auto& path : scenes) read.push_back(read_scene(path));
+  std::vector<RunOptions> options(scenes.size(), request.options);
+  for (std::size_t i = 0; i < scenes.size(); ++i) read.push_back(scene_for(scenes[i], request, options[i]));
   int code = 0;
   std::vector<std::filesystem::path> done;
-  for (const Scene& scene : read) {
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const Scene& scene = read[i];
     const auto& folder = folder_of.at(scene.path);
-    const RunResult result = run_scene(scene, folder, options);
+    const RunResult result = run_scene(scene, folder, options[i]);
     fmt::print("{}: {}, {:.2f} CPU-s (MPM {:.2f}) -> {}\n", result.record.case_name, word(result.record.verdict),
                result.record.cpu_seconds, result.candidate.history.cpu_seconds, (folder / "report.html").string());
     for (const std::string& reason : why_given_up(result)) fmt::print(stderr, "  gave up: {}\n", reason);

@@ -5,6 +5,7 @@
 #include "reports/write.h"
 #include "verification/compare/body_outcomes.h"
 #include "verification/compare/verdict.h"
+#include "verification/ledger/rerun_scene.h"
 #include "verification/compare/window.h"
 #include "verification/present/field_files.h"
 #include "verification/present/figures.h"
@@ -16,6 +17,7 @@
 #include "verification/present/tables.h"
 #include "verification/run/progress.h"
 #include "verification/run/provenance.h"
+#include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
 #include "verification/translate/to_mpm.h"
 
@@ -190,6 +192,27 @@ std::vector<std::string> why_given_up(const RunResult& result) {
   return reasons;
 }
 
+namespace {
+
+/// Where the differences come from, into the record; its verdicts count as the others do.
+void add_difference_ledger(const Scene& scene, const Timeline& timeline, const ReferenceStore& store,
+                           RunResult& result) {
+  if (!result.reference)
+    throw SceneError({scene.path.string() +
+                      ":1:1: a ledger of differences is asked for, but the scene has no reference "
+                      "(there is nothing to differ from). Add [reference]."});
+  if (result.exit == Exit::gave_up) {
+    result.record.log.push_back("ledger: not made, as a solver gave up");
+    return;
+  }
+  add_ledger(result.record, difference_ledger({scene, timeline, result.candidate.history, *result.reference,
+                                               rerun_scene(scene, timeline), store}));
+  result.record.verdict = overall(result.record.findings);
+  result.exit = exit_for(result.record.verdict);
+}
+
+}  // namespace
+
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options) {
   const Prepared prepared = prepare(scene);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
@@ -198,6 +221,8 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
   RunResult result = accuracy > 0
                          ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))
                          : run_prepared(prepared, options.store, stopping);
+  for (const std::string& note : options.notes) result.record.log.insert(result.record.log.begin(), note);
+  if (options.ledger) add_difference_ledger(scene, prepared.timeline, options.store, result);
   reports::write_result(result.record, folder);
   auto files = field_files(result.candidate.history, "mpm");
   if (result.reference)

@@ -52,8 +52,10 @@ std::vector<std::string> why_given_up(const RunResult& result);
 
 struct RunOptions {
   ReferenceStore store{};
-  double accuracy = 0;  ///< overrules the scene's; 0: as the scene says
-  bool resume = false;  ///< go on from the checkpoint in the folder
+  double accuracy = 0;               ///< overrules the scene's; 0: as the scene says
+  bool resume = false;               ///< go on from the checkpoint in the folder
+  bool ledger = false;               ///< also where the differences come from: runs both solvers several times more
+  std::vector<std::string> notes{};  ///< for the log, e.g. why these settings were chosen
 };
 /// Runs a scene and leaves report.html, result.json, CSV, fields and the exact scene in `folder`.
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options);

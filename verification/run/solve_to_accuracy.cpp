@@ -1,6 +1,7 @@
 #include "verification/run/solve_to_accuracy.h"
 
 #include "verification/compare/profile.h"
+#include "verification/run/finer_cells.h"
 #include "verification/run/run_scene.h"
 #include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
@@ -18,18 +19,6 @@ constexpr int most_halvings = 6;
 constexpr int most_tightenings = 4;
 /// The share of the error left to the time integration: small beside that of the mesh, which costs more to shrink.
 constexpr double share_of_time = 0.25;
-
-/// The scene with `factor` times as many cells in each direction.
-Scene with_cells(const Scene& scene, int factor) {
-  Scene out = scene;
-  Shape& shape = out.geometry.shape;
-  if (auto* column = std::get_if<Column>(&shape)) column->cells *= factor;
-  if (auto* slope = std::get_if<Slope>(&shape)) slope->cells_along *= factor, slope->cells_over *= factor;
-  if (auto* profile = std::get_if<GroundProfile>(&shape)) profile->cells_along *= factor, profile->cells_over *= factor;
-  if (auto* box = std::get_if<Box>(&shape))
-    for (int& cells : box->cells) cells *= factor;
-  return out;
-}
 
 /// Largest relative L2 difference of pressure over the snapshots that both reached, in the cells of `coarse`.
 double change_between(const meshes::FieldHistory& coarse, const meshes::FieldHistory& fine) {
@@ -49,7 +38,7 @@ class Search {
   AccurateCandidate run() {
     take(attempt(scene_, 0));
     for (int halvings = 1; halvings <= most_halvings && sound(); ++halvings) {
-      const Scene finer = with_cells(scene_, 1 << halvings);
+      const Scene finer = with_finer_cells(scene_, 1 << halvings);
       Attempt next = attempt(finer, halvings);
       best_.estimate = next.change;
       if (2 * next.change <= accuracy_) {  // the coarser one is twice as far off at most, at first order

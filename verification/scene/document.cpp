@@ -19,6 +19,7 @@ Place place_of(const toml::source_region& source) {
 Value convert(const toml::node& node) {
   Value value;
   value.place = place_of(node.source());
+  value.end = {static_cast<int>(node.source().end.line), static_cast<int>(node.source().end.column)};
   switch (node.type()) {
     case toml::node_type::table:
       value.kind = Value::Kind::table;

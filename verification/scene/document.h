@@ -14,6 +14,7 @@ struct Value {
   enum class Kind { table, array, text, integer, real, boolean, date };
   Kind kind = Kind::table;
   Place place;
+  Place end;                   ///< behind its last character (of a section: of its header)
   std::string text;            ///< of Kind::text
   double number = 0;           ///< of integer, real and boolean
   std::vector<Entry> entries;  ///< of a table

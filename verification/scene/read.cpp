@@ -15,7 +15,9 @@ namespace {
   throw SceneError(complaints.in_order());
 }
 
-std::string contents(const std::filesystem::path& path) {
+}  // namespace
+
+std::string scene_file_text(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     refuse(path, {"this is a folder", "a scene is a file", "Name the .toml file in it."});
@@ -28,8 +30,6 @@ std::string contents(const std::filesystem::path& path) {
   text << file.rdbuf();
   return text.str();
 }
-
-}  // namespace
 
 bool Reading::elastic() const {
   for (const Soil& soil : scene.soils)
@@ -91,10 +91,11 @@ void read_top(Reading& reading) {
   top.finish();
 }
 
-Scene read_scene(const std::filesystem::path& path) {
+Scene read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
   Scene scene;
   scene.path = path;
-  scene.text = contents(path);
+  scene.text = scene_file_text(path);
+  for (const Setting& setting : settings) scene.text = with_value(scene.text, path.string(), setting);
   const Value root = parse_document(scene.text, path.string());
   if (root.entries.empty())
     refuse(path,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verification/scene/scene.h"
+#include "verification/scene/set_value.h"
 
 #include <stdexcept>
 #include <string>
@@ -14,8 +15,12 @@ struct SceneError : std::runtime_error {
   std::vector<std::string> messages;
 };
 
-/// Reads and cross-checks a scene. Throws SceneError with every complaint found, in file order.
-Scene read_scene(const std::filesystem::path& path);
+/// Reads and cross-checks a scene, with values set anew where `settings` say so: the scene's text is then that of the
+/// file with those values in it. Throws SceneError with every complaint found, in file order.
+Scene read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
+
+/// The text of a scene file. Throws SceneError where there is none.
+std::string scene_file_text(const std::filesystem::path& path);
 
 /// The JSON Schema (draft 2020-12) of a scene, generated from the table of keys that the reader itself uses.
 std::string scene_schema();

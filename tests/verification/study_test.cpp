@@ -1,0 +1,167 @@
+// Studies as a user meets them: points side by side, a killed study resumed without computing finished points again,
+// job arrays, and the choice of a setting by a stored study of accuracy.
+#include "verification/scene/read.h"
+#include "verification/study/accuracy.h"
+#include "verification/study/effects.h"
+#include "verification/study/points.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <thread>
+
+namespace wetfront::verification {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string seed = WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_3e-5_smin0.87.toml";
+
+struct Output {
+  int code;
+  std::string text;
+};
+
+class Study : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) / ("wetfront_study_" + std::to_string(getpid()));
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  Output wetfront(const std::string& arguments) const {
+    FILE* pipe = popen(("cd " + folder.string() + " && " WETFRONT_PROGRAM " " + arguments + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer;
+    while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), size);
+    return {WEXITSTATUS(pclose(pipe)), text};
+  }
+  /// Times at which points were finished, by folder.
+  std::map<std::string, fs::file_time_type> finished(const fs::path& study) const {
+    std::map<std::string, fs::file_time_type> times;
+    for (const auto& entry : fs::directory_iterator(study))
+      if (fs::exists(entry.path() / "point.json"))
+        times[entry.path().filename()] = fs::last_write_time(entry.path() / "point.json");
+    return times;
+  }
+
+  fs::path folder;
+};
+
+const std::string vary = "study vary " + seed + " --set rain.intensity=2e-5,3e-5,4e-5 --out study --jobs 1";
+
+/// kill -9 after the first point: it stays as it is, the others are computed, and the page has all.
+TEST_F(Study, AKilledStudyGoesOnWhereItWas) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(folder.c_str()) != 0) _exit(1);
+    execl("/bin/sh", "sh", "-c", ("exec " WETFRONT_PROGRAM " " + vary + " > /dev/null 2>&1").c_str(), nullptr);
+    _exit(1);
+  }
+  for (int i = 0; i < 3000 && (!fs::exists(folder / "study") || finished(folder / "study").empty()); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  const auto before = finished(folder / "study");
+  ASSERT_GE(before.size(), 1u);
+  ASSERT_LT(before.size(), 3u);
+  const Output output = wetfront(vary);
+  EXPECT_THAT(output.text, HasSubstr(std::to_string(before.size()) + " of 3 points are finished"));
+  const auto after = finished(folder / "study");
+  EXPECT_EQ(after.size(), 3u);
+  for (const auto& [name, time] : before) EXPECT_EQ(after.at(name), time) << name << " was computed again";
+  EXPECT_TRUE(fs::exists(folder / "study/report.html"));
+}
+
+TEST_F(Study, JobArraysComputePointsOneByOne) {
+  const std::string study = "study vary " + seed + " --set rain.intensity=2e-5,3e-5 --out array ";
+  EXPECT_EQ(wetfront(study + "--list").text, "0  rain.intensity=2e-5\n1  rain.intensity=3e-5\n");
+  const Output early = wetfront(study + "--point 0");
+  EXPECT_THAT(early.text, HasSubstr("point 0  rain.intensity=2e-5: "));
+  const Output missing = wetfront(study + "--gather");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.text, HasSubstr("missing: 1"));
+  wetfront(study + "--point 1");
+  EXPECT_THAT(wetfront(study + "--gather").text, HasSubstr("2 points"));
+  EXPECT_THAT(wetfront(study + "--point 2").text, HasSubstr("there is no such point"));
+}
+
+TEST_F(Study, ARefusedPointIsAResultAndSaysWhy) {
+  const Output output = wetfront("study vary " + seed + " --set soil.sand.porosity=1.5 --out refused");
+  EXPECT_EQ(output.code, 2);
+  EXPECT_THAT(output.text, HasSubstr("porosity = 1.5 is out of range"));
+  EXPECT_THAT(wetfront("study vary " + seed + " --set rain.intensty=1").text, HasSubstr("Did you mean 'intensity'?"));
+}
+
+TEST(Points, AreEveryCombination) {
+  const auto points = product({read_variation("a.b=1,2"), read_variation("c=[1,2],[3,4],")});
+  ASSERT_EQ(points.size(), 6u);
+  EXPECT_EQ(points[1].name, "a.b=1, c=[3,4]");
+  EXPECT_EQ(points[5].settings[1].value, "") << "an empty value leaves the key out";
+  EXPECT_THROW(read_variation("a=1,1"), SceneError);
+  EXPECT_THROW(product({read_variation("a=1"), read_variation("a=2")}), SceneError);
+}
+
+TEST(Points, AreNamedByWhatTheyCompute) {
+  const StudyPoint one{"", {{"rain.intensity", "2e-5"}}}, other{"", {{"rain.intensity", "3e-5"}}};
+  EXPECT_EQ(point_hash(seed, one), point_hash(seed, one));
+  EXPECT_NE(point_hash(seed, one), point_hash(seed, other));
+}
+
+PointResult result(double cpu, double error, double bound) {
+  PointResult out;
+  out.candidate_cpu = cpu;
+  reports::Finding finding;
+  finding.quantity = "pressure_l2";
+  finding.error = error;
+  finding.reference_bound = bound;
+  out.findings = {finding};
+  return out;
+}
+
+TEST(Accuracy, TheCheapestSettingWithinTheTargetIsTaken) {
+  const std::vector<PointResult> results = {result(1, 0.02, 0), result(4, 0.005, 0), result(2, 0.009, 0.002),
+                                            result(3, 0.012, 0)};
+  EXPECT_EQ(cheapest(results, "pressure_l2", 0.01), 1u) << "the reference's own doubt counts: 0.9 % + 0.2 % is more";
+  EXPECT_EQ(cheapest(results, "pressure_l2", 0.012), 2u);
+  EXPECT_FALSE(cheapest(results, "pressure_l2", 0.001).has_value());
+  EXPECT_THAT(pareto(results, "pressure_l2"), testing::ElementsAre(0, 2, 1));
+}
+
+TEST(Effects, NeedIsChangeAgainstToleranceAndDoubt) {
+  const Scene scene = read_scene(seed);
+  const auto with = [](double value) {
+    PointResult out;
+    out.candidate = {{"stored_water@0", "stored water", "m", value}};
+    return out;
+  };
+  const auto need = [&](double finer, double changed) {
+    return overall_need(influences(scene, with(1), with(finer), with(changed)));
+  };
+  EXPECT_EQ(need(1.001, 1.5), Need::needed);
+  EXPECT_EQ(need(1.001, 1.002), Need::not_needed);
+  EXPECT_EQ(need(1.02, 1.015), Need::undecided) << "the mesh leaves more open than the change";
+  EXPECT_EQ(need(1.02, 1), Need::not_needed);
+  EXPECT_EQ(overall_need({}), Need::unknown);
+}
+
+TEST(Effects, EightOrMoreAreTriedOnARigidColumn) {
+  const Scene scene = read_scene(WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_7.5e-5.toml");
+  EXPECT_GE(effect_changes(scene, 20).size(), 8u + 2u);
+}
+
+}  // namespace
+}  // namespace wetfront::verification

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "meshes/field_history.h"
+#include "verification/scene/scene.h"
+#include "verification/translate/timeline.h"
+
+#include <string>
+#include <vector>
+
+/// What a run says about the ground: the quantities that studies follow, each a number with a unit.
+namespace wetfront::verification {
+
+struct Outcome {
+  std::string name;         ///< stable: "front_position@2", "arrival_time:base"
+  std::string description;  ///< with time or probe
+  std::string unit;
+  double value;  ///< NaN: did not happen
+};
+
+/// Read from any solution by the same rule: fields in the cells of `cells_of`, the candidate. Water is told per
+/// horizontal area under rain, or of the ground where none falls. Every solution of a scene has the same outcomes in
+/// the same order.
+std::vector<Outcome> outcomes(const Scene& scene, const Timeline& timeline, const meshes::FieldHistory& history,
+                              const meshes::FieldHistory& cells_of);
+
+/// Elevation of the wetting front at each snapshot [m]; empty where the ground is no column.
+std::vector<double> fronts(const Scene& scene, const meshes::FieldHistory& history,
+                           const meshes::FieldHistory& cells_of);
+
+}  // namespace wetfront::verification

@@ -1,0 +1,79 @@
+#include "verification/run/compare_foreign.h"
+
+#include "reports/write.h"
+#include "verification/compare/verdict.h"
+#include "verification/ledger/difference_ledger.h"
+#include "verification/present/figures.h"
+#include "verification/present/reference_error_table.h"
+#include "verification/present/tables.h"
+#include "verification/run/provenance.h"
+#include "verification/scene/read.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wetfront::verification {
+namespace {
+
+/// What points at a few times can tell; balances, gauges and moments of events they cannot.
+bool can_be_told(const Measurement& measurement) {
+  static constexpr std::array names = {
+      "pressure_l2",     "pressure_l2_range", "pressure_linf",          "saturation_l2",
+      "saturation_linf", "front_position",    "cumulative_infiltration"};
+  return std::ranges::find(names, measurement.quantity) != names.end();
+}
+
+reports::Finding hint(const std::string& text) {
+  reports::Finding finding;
+  finding.quantity = "declaration";
+  finding.description = "signs and units of the declaration";
+  finding.verdict = reports::Verdict::inconclusive;
+  finding.error = std::nan("");
+  finding.explanation = text;
+  return finding;
+}
+
+}  // namespace
+
+RunResult compare_foreign(const Scene& scene, const ForeignResult& foreign, const std::filesystem::path& folder,
+                          const ReferenceStore& store) {
+  if (!scene.reference)
+    throw SceneError({scene.path.string() +
+                      ":1:1: the scene has no reference (there is nothing to compare with). Add [reference]."});
+  const Timeline times = timeline(scene);
+  RunResult result;
+  result.candidate.history = foreign_history(foreign, scene, times);
+  reports::make_writable(folder);
+  result.reference = solve_references(scene, times, store);
+
+  reports::Record& record = result.record;
+  record.kind = "another code's result";
+  record.case_name = case_name(scene.path);
+  record.title = foreign.title;
+  record.requirement = scene.requirement;
+  record.scene_path = scene.path.string();
+  record.scene_text = scene.text + "\n# ---- " + foreign.path.filename().string() + " ----\n" + foreign.text;
+  record.provenance = provenance(record.scene_text, result.candidate.history.mesh);
+  record.provenance["candidate"] = foreign.code;
+  record.tables.push_back(setup_table(scene, times));
+  for (const auto& [name, solved] : result.reference->all()) note_solver(record, name, *solved);
+  note_solver(record, foreign.code, result.candidate);
+
+  const Histories histories = histories_of(result.candidate.history, *result.reference);
+  auto measurements = measure(scene, times, histories);
+  std::erase_if(measurements, [](const Measurement& one) { return !can_be_told(one); });
+  record.findings = judge(scene, times, measurements, 0);
+  if (const std::string text = looks_wrong(histories.candidate, histories.reference); !text.empty())
+    record.findings.insert(record.findings.begin(), hint(text));
+  record.figures = figures(scene, times, histories, measurements);
+  record.tables.push_back(reference_error_table(measurements));
+  add_ledger(record, difference_ledger({scene, times, result.candidate.history, *result.reference, {}, store}));
+  record.verdict = overall(record.findings);
+  if (record.verdict == reports::Verdict::fail) result.exit = Exit::fail;
+  if (record.verdict == reports::Verdict::inconclusive) result.exit = Exit::inconclusive;
+  reports::write_result(record, folder);
+  return result;
+}
+
+}  // namespace wetfront::verification

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "reports/record.h"
+#include "verification/scene/scene.h"
+#include "verification/study/point_result.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What accuracy costs: the same scene by several schemes, cell sizes, tolerances and numbers of points.
+namespace wetfront::verification {
+
+/// A point of the study and where it belongs on the figures.
+struct AccuracyPoint {
+  StudyPoint point;
+  std::string curve;       ///< "seepage, bdf2"; points of one curve differ in their cells alone
+  double cells = 1;        ///< cells per direction over the scene's
+  bool expensive = false;  ///< its plan expects more CPU seconds than the study may spend on a point
+  double expected_cpu = 0;
+};
+
+/// Schemes (of the last stage) x cells from a quarter to four times the scene's; on the scene's cells also tolerances
+/// of the time integration and points per cell; shape functions where the skeleton moves. Points whose plan expects
+/// more than `budget` CPU seconds are marked. Throws SceneError for a mesh of the user's own.
+std::vector<AccuracyPoint> accuracy_points(const Scene& scene, double budget);
+
+/// Largest error of a quantity over the comparison times and probes, in the quantity's unit; NaN where it was not
+/// measured.
+double error_of(const PointResult& result, const std::string& quantity);
+/// The same with what the reference itself does not know.
+double bounded_error_of(const PointResult& result, const std::string& quantity);
+
+/// The cheapest finished point whose error, with the reference's own, is within `target`; nothing where there is none.
+std::optional<std::size_t> cheapest(const std::vector<PointResult>& results, const std::string& quantity,
+                                    double target);
+
+/// Points that no other beats in both error and CPU seconds, by ascending cost.
+std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::string& quantity);
+
+/// Error of the reference on coarser meshes against the finest, over their CPU seconds.
+struct ReferenceCost {
+  int cells;
+  double cpu_seconds, error;
+};
+std::vector<ReferenceCost> reference_costs(const Scene& scene, const ReferenceStore& store);
+
+reports::Record accuracy_page(const std::filesystem::path& scene, const std::vector<AccuracyPoint>& points,
+                              const std::vector<PointResult>& results, const std::vector<ReferenceCost>& reference,
+                              const std::filesystem::path& out);
+
+}  // namespace wetfront::verification

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "reports/record.h"
+#include "verification/scene/scene.h"
+#include "verification/study/point_result.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Which effects a scene needs: each that it calls for is left out in turn, each that it does not call for is added.
+namespace wetfront::verification {
+
+struct EffectChange {
+  std::string effect;      ///< "inertia of the water"
+  bool called_for = true;  ///< by the scene: left out; else added
+  std::string how;         ///< what was changed
+  StudyPoint point;
+  bool expensive = false;  ///< its plan expects more CPU seconds than the study may spend on it
+  double expected_cpu = 0;
+};
+
+/// The first point is the scene itself, the second the same on cells half as large, which tells what the numbers are
+/// worth; then one per effect.
+std::vector<EffectChange> effect_changes(const Scene& scene, double budget);
+
+/// Influence of an effect on one outcome and what follows.
+enum class Need { needed, not_needed, undecided, unknown };
+struct Influence {
+  std::string outcome;
+  double change = 0;       ///< of the outcome, in its unit
+  double uncertainty = 0;  ///< of the change: what the mesh leaves open
+  double tolerance = 0;    ///< below which nobody would notice: the scene's gate, or 1 % of the outcome
+  Need need = Need::unknown;
+};
+/// Needed where |change| - uncertainty > tolerance, not needed where |change| + uncertainty <= tolerance.
+std::vector<Influence> influences(const Scene& scene, const PointResult& base, const PointResult& finer,
+                                  const PointResult& changed);
+/// Needed where it is for any outcome; not needed where it is not for all.
+Need overall_need(const std::vector<Influence>& influences);
+
+reports::Record effects_page(const std::filesystem::path& scene, const std::vector<EffectChange>& changes,
+                             const std::vector<PointResult>& results, const std::filesystem::path& out);
+
+/// The sentences of a stored study of this scene, for `explain`; empty where there is none.
+std::vector<std::string> stored_effects(const Scene& scene, const std::filesystem::path& folder);
+
+}  // namespace wetfront::verification

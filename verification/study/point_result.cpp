@@ -1,0 +1,104 @@
+#include "verification/study/point_result.h"
+
+#include "mpm/plan.h"
+#include "reports/whole_file.h"
+#include "reports/write.h"
+#include "verification/scene/read.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace wetfront::verification {
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_of(const std::vector<Outcome>& outcomes) {
+  Json list = Json::array();
+  for (const Outcome& one : outcomes)
+    list.push_back({{"name", one.name},
+                    {"description", one.description},
+                    {"unit", one.unit},
+                    {"value", std::isfinite(one.value) ? Json(one.value) : Json(nullptr)}});
+  return list;
+}
+
+std::vector<Outcome> outcomes_from(const Json& list) {
+  std::vector<Outcome> outcomes;
+  for (const Json& one : list)
+    outcomes.push_back(
+        {one.at("name"), one.at("description"), one.at("unit"),
+         one.at("value").is_null() ? std::numeric_limits<double>::quiet_NaN() : one.at("value").get<double>()});
+  return outcomes;
+}
+
+Json json_of(const PointResult& result) {
+  return {{"name", result.name},
+          {"hash", result.hash},
+          {"exit", result.exit},
+          {"message", result.message},
+          {"candidate_cpu_s", result.candidate_cpu},
+          {"point_bytes", result.point_bytes},
+          {"candidate", json_of(result.candidate)},
+          {"reference", json_of(result.reference)}};
+}
+
+void fill(PointResult& result, const Scene& scene, const std::filesystem::path& folder, const ReferenceStore& store) {
+  const RunResult run = run_scene(scene, folder, {store});
+  const Timeline times = timeline(scene);
+  result.exit = static_cast<int>(run.exit);
+  for (const std::string& reason : why_given_up(run)) result.message += (result.message.empty() ? "" : "; ") + reason;
+  result.candidate_cpu = run.candidate.history.cpu_seconds;
+  for (const auto& stage : mpm::plan(prepare(scene).problem))
+    result.point_bytes = std::max(result.point_bytes, stage.point_bytes);
+  result.candidate = outcomes(scene, times, run.candidate.history, run.candidate.history);
+  if (run.reference) result.reference = outcomes(scene, times, run.reference->reference.history, run.candidate.history);
+  result.findings = run.record.findings;
+}
+
+}  // namespace
+
+PointResult run_point(const std::filesystem::path& path, const StudyPoint& point, const std::filesystem::path& folder,
+                      const ReferenceStore& store) {
+  reports::make_writable(folder);
+  PointResult result;
+  result.name = point.name;
+  result.hash = point_hash(path, point);
+  std::filesystem::remove(folder / "point.json");
+  try {
+    fill(result, read_scene(path, point.settings), folder, store);
+  } catch (const std::exception& error) {
+    result.exit = static_cast<int>(Exit::bad_input);
+    result.message = error.what();
+    std::filesystem::remove(folder / "result.json");  // of a former version of the point
+    std::filesystem::remove(folder / "report.html");
+  }
+  reports::write_whole(folder / "point.json", json_of(result).dump(1) + "\n");
+  return result;
+}
+
+std::optional<PointResult> kept_point(const std::filesystem::path& folder, const std::string& hash) {
+  if (!std::filesystem::exists(folder / "point.json")) return {};
+  try {
+    const Json json = Json::parse(reports::read_whole(folder / "point.json"));
+    if (json.at("hash") != hash) return {};
+    PointResult result;
+    result.name = json.at("name");
+    result.hash = hash;
+    result.exit = json.at("exit");
+    result.message = json.at("message");
+    result.candidate_cpu = json.at("candidate_cpu_s");
+    result.point_bytes = json.at("point_bytes");
+    result.candidate = outcomes_from(json.at("candidate"));
+    result.reference = outcomes_from(json.at("reference"));
+    if (std::filesystem::exists(folder / "result.json"))
+      result.findings = reports::read_result(folder / "result.json").findings;
+    return result;
+  } catch (const Json::exception&) {
+    return {};  // not a file of this version: computed again
+  }
+}
+
+}  // namespace wetfront::verification
