@@ -18,7 +18,7 @@ namespace {
 
 /// The page's sections in order. Those of figures and tables that are not named here stand before "Cost".
 std::vector<std::string> section_order(const Record& record) {
-  std::vector<std::string> order = {"Profiles", "Time series", "Flux audit"};
+  std::vector<std::string> order = {"The slide", "Profiles", "Time series", "Flux audit"};
   const std::vector<std::string> last = {"Cost", "Effects plan", "Set-up", "Log", "Scene", "Provenance"};
   const auto add = [&](const std::string& section) {
     const bool known = std::count(order.begin(), order.end(), section) || std::count(last.begin(), last.end(), section);
