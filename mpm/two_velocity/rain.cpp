@@ -2,6 +2,7 @@
 
 #include "mpm/boundary/boundary_side.h"
 #include "mpm/grid/column_vector.h"
+#include "mpm/laws/soil_water.h"
 #include "mpm/record/water_ledger.h"
 #include "mpm/two_velocity/moving_liquid.h"
 
@@ -141,7 +142,7 @@ void RainOnTwoVelocity<dim>::refuse_to_miss(double time) const {
 template <int dim>
 bool RainOnTwoVelocity<dim>::may_leave(const Node& node) const {
   return std::all_of(node.cells.begin(), node.cells.end(),
-                     [this](std::size_t cell) { return water_->liquid->lowest_pressure(cell) > 0; });
+                     [this](std::size_t cell) { return water_->liquid->lowest_pressure(cell) > nearly_full_; });
 }
 
 /// Rain that reaches a node [m^dim/s].
@@ -300,6 +301,9 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
   grid_ = &plan.fields.grid;
   collect(plan);
   if (water_->body != nullptr) {
+    for (const Soil& soil : plan.problem.soils)
+      nearly_full_ =
+          std::max(nearly_full_, -0.05 * tabulated_soil_water(soil, *plan.problem.water).curve.pressure_scale());
     collect_from_body(plan);
     refuse_to_miss(0);
     water_->liquid->at_other_body([this, &plan] {

@@ -36,8 +36,8 @@ class RainOnTwoVelocity : public Effect<dim> {
     std::vector<std::size_t> cells;                     ///< behind, of a moving body
     std::vector<std::pair<std::size_t, double>> rains;  ///< rain, horizontal area [m^(dim-1)]
   };
-  /// Water leaves a moving body only where all cells behind the node are full: what a full one presses out would
-  /// else be taken from an empty one beside it.
+  /// Water leaves a moving body only where all cells behind the node are full, or nearly so: what a full one presses
+  /// out would else be taken from an empty one beside it.
   bool may_leave(const Node& node) const;
   void collect(const StagePlan<dim>& plan);
   void collect_from_body(const StagePlan<dim>& plan);
@@ -62,6 +62,7 @@ class RainOnTwoVelocity : public Effect<dim> {
   Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr, *outflow_ = nullptr;
   Column *ponded_ = nullptr, *ledger_ = nullptr, *on_pieces_ = nullptr;
   const Grid<dim>* grid_ = nullptr;
+  double nearly_full_ = -1e30;  ///< Pa: a twentieth of the curve's scale, where S is within 1e-3 of S_max
 };
 
 }  // namespace wetfront::mpm
