@@ -24,6 +24,12 @@ Migration<dim>::Migration(StagePlan<dim>& plan)
       velocity_(plan.require_on_points("velocity")),
       scratch_(plan.provide_on_points({"scratch", "", "-", 1, Lifetime::step})),
       count_(plan.provide_on_run({"migration", "", "-", migration_counts})) {
+  const meshes::Mesh& mesh = plan.problem.mesh;
+  for (std::size_t a = 0; a < dim; ++a) {
+    const auto [least, most] = std::ranges::minmax(mesh.nodes, {}, [a](const meshes::Point& node) { return node[a]; });
+    const double hair = 1e-9 * (most[a] - least[a]);
+    low_[a] = least[a] - hair, high_[a] = most[a] + hair;
+  }
   plan.at_finish([this](meshes::FieldHistory& history) {
     history.counters["points that changed cells"] = count_[migration_crossings][0];
     history.counters["points held at the mesh border"] = count_[migration_held][0];
@@ -38,6 +44,14 @@ void Migration<dim>::prepare(std::size_t chunks) {
   movers_.reserve(64 + plan_.fields.points.size() / 8);
 }
 
+/// Spares the search through all cells for who has left a mesh by one of its outermost sides.
+template <int dim>
+bool Migration<dim>::beyond_mesh(const Vector<dim>& x) const {
+  for (int a = 0; a < dim; ++a)
+    if (x[a] < low_[a] || x[a] > high_[a]) return true;
+  return false;
+}
+
 /// Where the point goes; false when it stays.
 template <int dim>
 bool Migration<dim>::find_cell(Mover& mover) {
@@ -45,7 +59,7 @@ bool Migration<dim>::find_cell(Mover& mover) {
   const auto& points = plan_.fields.points;
   const std::size_t slot = points.first_slot(mover.from, mover.soil) + mover.index;
   const Vector<dim> x = points.position(slot);
-  const int cell = grid.find_cell(x, static_cast<int>(mover.from));
+  const int cell = beyond_mesh(x) ? -1 : grid.find_cell(x, static_cast<int>(mover.from));
   if (cell < 0 && !std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); }))
     throw StepFailed("a material point of cell " + std::to_string(mover.from) + " has moved to " + place(x) +
                      ": the motion of the skeleton has blown up");

@@ -24,6 +24,7 @@ class Migration {
 
  private:
   bool find_cell(Mover& mover);
+  bool beyond_mesh(const Vector<dim>& x) const;
   std::size_t hold(std::size_t cell, std::size_t slot, const Vector<dim>& x);
   void stop_outward(std::size_t slot, const Vector<dim>& normal);
 
@@ -31,6 +32,7 @@ class Migration {
   Column &position_, &velocity_, &scratch_, &count_;
   std::vector<std::vector<Mover>> leaving_;
   std::vector<Mover> movers_;
+  Vector<dim> low_{}, high_{};  ///< corners of the box around the mesh, a hair outside of it
 };
 
 /// Components of the run column "migration".
