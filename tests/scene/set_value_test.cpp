@@ -65,6 +65,8 @@ TEST(SetValue, NumbersChoicesAndTextStandAsTheScenesGrammarWantsThem) {
 TEST(SetValue, WhatTheSceneDoesNotSayIsAdded) {
   EXPECT_THAT(with("mpm.points_per_cell=9"), HasSubstr("\n\n[mpm]\npoints_per_cell = 9\n"));
   EXPECT_THAT(with("stage.time_tolerance=1e-3"), HasSubstr("[[stage]]\ntime_tolerance = 1e-3\nscheme"));
+  EXPECT_THAT(with("soil.sand.anisotropy={ along = 2, across = 1 }"),
+              HasSubstr("[[soil]]\nanisotropy = { along = 2, across = 1 }\nname = \"sand\""));
   EXPECT_THAT(with("soil.sand.retention.S_min=0.1"), HasSubstr("retention = { S_min = 0.1, law = \"van-genuchten\""));
 }
 

@@ -187,7 +187,7 @@ class Editor {
     const std::string inner = section_.empty() ? name : section_ + "." + name;
     const std::string key = last ? name : steps_.back();
     const Key* row = last ? find_key(section_, name) : find_key(inner, key);
-    if (step + 2 < steps_.size() || !row || row->takes == Takes::table)
+    if (step + 2 < steps_.size() || !row || (row->takes == Takes::table && !(last && setting_.value.front() == '{')))
       refuse(setting_.path, {"the scene has no [" + inner + "] in which this could be set",
                              "too much would have to be made up", "Write that part into the scene first."});
     const std::string line = key + " = " + literal(setting_.value, nullptr, row);

@@ -192,7 +192,10 @@ double tolerance_on(const Scene& scene, const Outcome& outcome) {
     const double value = about == "front_position" ? tolerance.value : tolerance.value * std::abs(outcome.value);
     if (narrowest == 0 || value < narrowest) narrowest = value;
   }
-  return narrowest > 0 ? narrowest : 0.01 * std::abs(outcome.value);
+  if (narrowest > 0) return narrowest;
+  // Pressures near zero: half of what counts as arrival (compare/events.h).
+  const double least = outcome.unit == "Pa" ? 100 : 0;
+  return std::max(0.01 * std::abs(outcome.value), least);
 }
 
 }  // namespace
