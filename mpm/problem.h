@@ -303,6 +303,11 @@ enum class LockingRemedy {
   b_bar,  ///< volumetric strain and mean stress act with the cell's mean gradient (Hughes 1980)
   none,
 };
+/// Where the stress of the skeleton is integrated.
+enum class StressIntegration {
+  mixed,   ///< cells inside a body: the points' mean stress over the cell's own volume, the rest at the points
+  points,  ///< at the points alone, with their volumes: forces jump whenever a point crosses a cell
+};
 /// How the motion of the skeleton is discretised.
 struct SkeletonScheme {
   ShapeFunctions shape = ShapeFunctions::linear;
@@ -310,6 +315,12 @@ struct SkeletonScheme {
   Transfer transfer = Transfer::flip;
   double pic = 0;  ///< share of PIC in each step's FLIP update, 0 to 1 [-]
   LockingRemedy locking = LockingRemedy::b_bar;
+  /// Absent: mixed in stages without liquid; at the points with it, whose pressure follows the points' volumes.
+  std::optional<StressIntegration> integration{};
+
+  StressIntegration integration_of(bool with_liquid) const {
+    return integration.value_or(with_liquid ? StressIntegration::points : StressIntegration::mixed);
+  }
 };
 
 struct Probe {

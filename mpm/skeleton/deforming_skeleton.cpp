@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 /// How the skeleton joins a plan: columns, laws, kernels, limits. What the kernels do: skeleton_step.cpp.
 namespace wetfront::mpm {
@@ -107,6 +108,28 @@ void DeformingSkeleton<dim>::find_fixed(StagePlan<dim>& plan) {
       for (const int node : side.faces) fix(fixity, node);
   }
 }
+
+namespace {
+
+/// Nodes of the mesh on sides that nothing holds.
+template <int dim>
+std::vector<int> open_nodes(const Problem<dim>& problem) {
+  std::set<std::string> held;
+  for (const Fixity& fixity : problem.fixities) held.insert(fixity.side);
+  for (const SkeletonBoundary& boundary : problem.skeleton_boundary)
+    std::visit(
+        [&held]<class Condition>(const Condition& condition) {
+          if constexpr (!std::is_same_v<Condition, Traction>) held.insert(condition.side);
+          if constexpr (std::is_same_v<Condition, PeriodicSkeleton>) held.insert(condition.partner);
+        },
+        boundary);
+  std::vector<int> open;
+  for (const meshes::Side& side : problem.mesh.sides)
+    if (!held.contains(side.name)) open.insert(open.end(), side.faces.begin(), side.faces.end());
+  return open;
+}
+
+}  // namespace
 
 template <int dim>
 void DeformingSkeleton<dim>::choose_laws(StagePlan<dim>& plan) {
@@ -220,6 +243,8 @@ void DeformingSkeleton<dim>::join(StagePlan<dim>& plan) {
     splines_->nodes_of(cell, nodes.data());
     return nodes;
   });
+  if (plan.problem.skeleton.integration_of(plan.stage.liquid.has_value()) == StressIntegration::mixed)
+    covered_ = std::make_unique<CoveredCells<dim>>(grid, open_nodes(plan.problem));
   team_ = std::make_unique<Team>(plan.problem.threads);
   active_ = std::make_unique<ActiveNodes>(grid.columns.size());
   cycle_->active = active_.get();

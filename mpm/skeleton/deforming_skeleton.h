@@ -2,6 +2,7 @@
 
 #include "mpm/grid/active_nodes.h"
 #include "mpm/grid/chunks.h"
+#include "mpm/grid/covered_cells.h"
 #include "mpm/grid/migration.h"
 #include "mpm/grid/spline_grid.h"
 #include "mpm/plan/team.h"
@@ -66,7 +67,8 @@ class DeformingSkeleton : public Effect<dim> {
   std::vector<std::unique_ptr<SoilMotion<dim>>> soils_;
   std::unique_ptr<Migration<dim>> migration_;
   std::unique_ptr<Chunks<dim>> chunks_;
-  std::unique_ptr<SplineGrid<dim>> splines_;  ///< where they move the skeleton; null: linear functions
+  std::unique_ptr<CoveredCells<dim>> covered_;  ///< of mixed integration
+  std::unique_ptr<SplineGrid<dim>> splines_;    ///< where they move the skeleton; null: linear functions
   std::unique_ptr<Team> team_;
   std::unique_ptr<ActiveNodes> active_;
   std::vector<double> altitude_;     ///< per cell [m]

@@ -36,6 +36,7 @@ void DeformingSkeleton<dim>::refresh() {
     }
   active_->finish();
   chunks_->update(points, static_cast<int>(soils_.size()));
+  if (covered_) covered_->update(points);
   version_ = points.version();
 }
 
@@ -59,7 +60,8 @@ void DeformingSkeleton<dim>::gather() {
 
 template <int dim>
 void DeformingSkeleton<dim>::gather_cells(bool motion, bool force) {
-  const GatherParts parts{motion, force, plan_->problem.skeleton.locking == LockingRemedy::b_bar};
+  const GatherParts parts{motion, force, plan_->problem.skeleton.locking == LockingRemedy::b_bar,
+                          covered_ ? covered_->volumes() : nullptr};
   over_chunks([&parts](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
     soil.gather(blocks, parts);
   });

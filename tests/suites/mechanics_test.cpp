@@ -4,7 +4,6 @@
 #include "verification/suites/mechanics/mechanics_suite.h"
 #include "verification/suites/mechanics/motion_setups.h"
 
-#include <map>
 #include <set>
 
 namespace wetfront::verification {
@@ -12,14 +11,7 @@ namespace {
 
 using namespace testing;
 
-/// What the suite shows as failed and what is not mended yet (verification/suites/README.md): the command says FAIL, the
-/// tests say that it is known.
-const std::map<std::string, std::string> open_cases = {
-    {"bar_crossing", "quadratic splines lose the bar's phase when points cross cells: 5.7 % against 3 %"},
-};
-
 TEST_P(SuiteCase, Passes) {
-  if (const auto open = open_cases.find(GetParam().name); open != open_cases.end()) GTEST_SKIP() << open->second;
   expect_pass(GetParam());
 }
 

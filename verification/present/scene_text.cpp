@@ -262,6 +262,8 @@ std::string skeleton_text(const SkeletonSettings& settings) {
                                                              : ", MUSL";
   text += settings.apic ? ", APIC" : settings.pic > 0 ? fmt::format(", FLIP with {:g} of PIC", settings.pic) : ", FLIP";
   text += settings.b_bar ? ", B-bar" : ", no cure of locking";
+  if (settings.integration == SkeletonSettings::Integration::mixed) text += ", mixed integration";
+  if (settings.integration == SkeletonSettings::Integration::points) text += ", stress integrated at the points";
   return text + (settings.k0_stress ? "; starts from K_0 stress" : "; starts without stress");
 }
 

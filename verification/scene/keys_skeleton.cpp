@@ -34,6 +34,7 @@ std::vector<Key> skeleton_keys() {
     {"skeleton", "transfer", Takes::choice, "", optional, "flip", "how velocities pass between nodes and points", "flip", {}, {"flip", "apic"}},
     {"skeleton", "pic", Takes::quantity, "1", optional, "0", "share of the nodes' velocities themselves in each step: damps what rings", "0.001", {"0", "1"}, {}, "transfer", {"flip"}},
     {"skeleton", "locking", Takes::choice, "", optional, "b-bar", "cure of volumetric locking: strain of volume and mean stress act with the cell's mean gradient", "b-bar", {}, {"b-bar", "none"}},
+    {"skeleton", "integration", Takes::choice, "", optional, "automatic", "where stress is integrated: inside a body the mean stress of a cell over the cell's own volume (mixed), or at the points alone, where forces jump whenever a point crosses; automatic is mixed in stages without water, at the points with it", "mixed", {}, {"automatic", "mixed", "points"}},
   };
 }
 // clang-format on

@@ -95,6 +95,9 @@ void read_skeleton(Reading& reading) {
   if (update == "usl") skeleton.update = SkeletonSettings::Update::usl;
   skeleton.apic = section->choice("transfer") == "apic";
   skeleton.pic = section->quantity("pic");
+  const std::string integration = section->choice("integration");
+  if (integration == "mixed") skeleton.integration = SkeletonSettings::Integration::mixed;
+  if (integration == "points") skeleton.integration = SkeletonSettings::Integration::points;
   skeleton.b_bar = section->choice("locking") == "b-bar";
   if (!reading.elastic())
     section->complain_at(section->place(), {"[skeleton] is not used", "every soil of this scene is rigid",

@@ -43,6 +43,7 @@ struct SkeletonSettings {
   bool apic = false;  ///< else FLIP with a share `pic`
   double pic = 0;
   bool b_bar = true;
+  enum class Integration { automatic, mixed, points } integration = Integration::automatic;  ///< of stress
   Origin origin;
 };
 

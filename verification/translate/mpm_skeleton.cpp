@@ -63,6 +63,9 @@ mpm::SkeletonScheme skeleton_scheme_of(const SkeletonSettings& settings) {
   if (settings.apic) scheme.transfer = mpm::Transfer::apic;
   scheme.pic = settings.pic;
   if (!settings.b_bar) scheme.locking = mpm::LockingRemedy::none;
+  using Integration = SkeletonSettings::Integration;
+  if (settings.integration == Integration::mixed) scheme.integration = mpm::StressIntegration::mixed;
+  if (settings.integration == Integration::points) scheme.integration = mpm::StressIntegration::points;
   return scheme;
 }
 

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180, slope = 30 * degree, gravity = 9.81, density = 2000;
 
-/// A block of 1 m on a base that lies along the first axis, with gravity turned, or on a base that is itself inclined
-/// (the mesh turned, gravity down).
+/// A block of 1 m on a base that lies along the first
+/// axis, with gravity turned, or on a base that is itself inclined (the mesh turned, gravity down).
 struct Block {
   double friction;  ///< of the base
   bool turned_mesh;
@@ -40,7 +40,7 @@ mpm::Problem<dim> block(const Block& b) {
       node[0] = s * std::cos(slope) + n * std::sin(slope);
       node[static_cast<std::size_t>(up)] = -s * std::sin(slope) + n * std::cos(slope);
     }
-  auto problem = dry_problem<dim>(std::move(mesh), dry_soil(density, 5e6, 0.2), evenly(b.end, 20));
+  auto problem = dry_problem<dim>(std::move(mesh), dry_soil(density, 5e6, 0.2), evenly(b.end, 200));
   problem.empty_cells = std::move(empty);
   if (b.turned_mesh)
     problem.gravity[up] = -gravity;
@@ -49,6 +49,7 @@ mpm::Problem<dim> block(const Block& b) {
   problem.initial_stress = b.turned_mesh ? mpm::InitialStress::none : mpm::InitialStress::k0;
   problem.skeleton_boundary.push_back(mpm::FrictionalContact{"base", b.friction, "suite"});
   if (dim == 3) add_rollers(problem, {"front", "back"});
+  problem.skeleton.integration = mpm::StressIntegration::points;  // mixed: it rocks more, 1.6 % at mu = 0.5
   problem.skeleton.pic = 0.01;  // the block comes to rest on its base; PIC leaves what moves as a whole alone
   return problem;
 }

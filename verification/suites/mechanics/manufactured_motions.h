@@ -16,7 +16,7 @@ struct ManufacturedMotion {
 
 /// Amplitude A [m] in a unit square, E = 10 kPa, nu = 0.3, rho = 1000 kg/m3, over one period 2/c.
 ManufacturedMotion axis_aligned_motion(double amplitude = 0.05);
-/// The ring of Kamojjala et al. 2015 in a square of 2.56 m, for 1 s: there and back.
-ManufacturedMotion vortex_motion();
+/// The ring of Kamojjala et al. 2015 in a square of 2.56 m, for 1 s: there and back, by at most `angle` [rad].
+ManufacturedMotion vortex_motion(double angle = 1);
 
 }  // namespace wetfront::verification

@@ -68,6 +68,7 @@ std::string scheme_text(const mpm::SkeletonScheme& scheme) {
   if (scheme.shape == mpm::ShapeFunctions::linear && scheme.locking == mpm::LockingRemedy::b_bar) text += ", B-bar";
   if (scheme.transfer == mpm::Transfer::apic) text += ", APIC";
   if (scheme.transfer == mpm::Transfer::flip && scheme.pic > 0) text += fmt::format(", {:g} PIC", scheme.pic);
+  if (scheme.integration == mpm::StressIntegration::points) text += ", integrated at points";
   if (scheme.update == mpm::StressUpdate::usf) text += ", USF";
   if (scheme.update == mpm::StressUpdate::usl) text += ", USL";
   return text;
