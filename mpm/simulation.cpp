@@ -1,9 +1,10 @@
 #include "mpm/simulation.h"
 
 #include "mpm/coupling/skeleton_failed.h"
-#include "mpm/grid/column_vector.h"
+#include "mpm/plan/carried_state.h"
 #include "mpm/plan/derive_effects.h"
 #include "mpm/plan/estimate.h"
+#include "mpm/record/pictures.h"
 #include "mpm/record/rest_watch.h"
 #include "mpm/record/run_guard.h"
 #include "mpm/record/water_ledger.h"
@@ -26,8 +27,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <int dim>
 struct Simulation<dim>::Implementation {
-  using Stored = std::map<std::string, std::vector<double>>;
-
   Problem<dim> problem;
   std::unique_ptr<Fields<dim>> fields;
   std::unique_ptr<StagePlan<dim>> plan;
@@ -70,28 +69,10 @@ struct Simulation<dim>::Implementation {
 
   /// Points, plan and columns as they were stored.
   void restore(const Stored& stored) {
-    restore_point_counts(stored);
+    restore_points(*fields, stored);
     plan = make_plan(problem, stage, *fields);
     plan->resume(stored);
     watch();
-  }
-
-  void restore_point_counts(const Stored& stored) {
-    const auto found = stored.find("points per cell");
-    if (found == stored.end() || found->second.size() != fields->points.count_of_cell().size())
-      throw CannotPlan(
-          "cannot continue this run: its state has another number of cells than the problem (it belongs to "
-          "another problem). Start the run anew");
-    std::vector<std::size_t> counts(found->second.begin(), found->second.end());
-    fields->points.set_counts(fields->grid, counts);
-    // Conditions look for the surface of the body when the plan is made: where it is, not where it began.
-    for (const char* name : {"position", "volume"}) {
-      Column& column = fields->points.columns.at(name);
-      const auto kept = stored.find(std::string("point.") + name);
-      if (kept != stored.end() &&
-          kept->second.size() == fields->points.size() * static_cast<std::size_t>(column.spec().components))
-        fields->points.put_in_order(kept->second, column);
-    }
   }
 
   bool finished() const {
@@ -151,7 +132,7 @@ struct Simulation<dim>::Implementation {
     if (finished()) return;
     double& steps = history.counters["steps"];
     const bool may_fail = plan->stage.ends_with == StageEnd::failure;
-    const Stored kept = may_fail ? stored() : Stored{};
+    const Stored kept = may_fail ? carried_state(*fields) : Stored{};
     try {
       guard->before_step(static_cast<long>(steps));
       set_clock();
@@ -213,11 +194,10 @@ struct Simulation<dim>::Implementation {
   }
 
   void end_stage(const std::string& by, const std::string& reason) {
-    meshes::FieldHistory& kept = history;
     char text[80];
     std::snprintf(text, sizeof text, "' ends at %.6g s: ", time);
-    kept.log.push_back("stage '" + plan->stage.name + text + (by == "time" ? "its time is over" : by) +
-                       (reason.empty() ? "" : " (" + reason + ")"));
+    history.log.push_back("stage '" + plan->stage.name + text + (by == "time" ? "its time is over" : by) +
+                          (reason.empty() ? "" : " (" + reason + ")"));
     StageSpan& span = fields->body.stages.back();
     span.end = time;
     span.ended_by = by;
@@ -266,38 +246,12 @@ struct Simulation<dim>::Implementation {
     plan->record(time, history);
   }
 
-  meshes::Snapshot snapshot() const {
-    meshes::Snapshot snapshot;
-    snapshot.time = time;
-    snapshot.stage = plan->stage.name;
-    for (const Block& block : fields->points.blocks())
-      for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-        meshes::Point x{};
-        std::ranges::copy(fields->points.position(p), x.begin());
-        snapshot.points.position.push_back(x);
-      }
-    plan->output(snapshot);
-    return snapshot;
-  }
-
   void write_snapshot() {
     if (std::binary_search(problem.output_times.begin(), problem.output_times.end(), time))
-      history.snapshots.push_back(snapshot());
+      history.snapshots.push_back(snapshot_of(*plan, time));
   }
 
-  void take_picture(const std::string& of) {
-    Picture picture{snapshot(), of, {}};
-    const Column* began = fields->points.columns.find("initial position");
-    if (began != nullptr && began->allocated())
-      for (const Block& block : fields->points.blocks())
-        for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-          const Vector<dim> now = fields->points.position(p), then = at<dim>(*began, p);
-          meshes::Point moved{};
-          for (std::size_t a = 0; a < dim; ++a) moved[a] = now[a] - then[a];
-          picture.displacement.push_back(moved);
-        }
-    fields->body.pictures.push_back(std::move(picture));
-  }
+  void take_picture(const std::string& of) { fields->body.pictures.push_back(picture_of(*plan, time, of)); }
 
   meshes::FieldHistory finished_history() const {
     meshes::FieldHistory result = history;
@@ -307,25 +261,8 @@ struct Simulation<dim>::Implementation {
     return result;
   }
 
-  /// All that is carried from step to step.
-  Stored stored() const {
-    Stored out;
-    const auto store = [&out](const ColumnSet& set, const std::string& kind, const auto& values_of) {
-      for (const auto& column : set.all())
-        if (column->spec().lifetime == Lifetime::carried && column->allocated())
-          out[kind + "." + column->spec().name] = values_of(*column);
-    };
-    const auto all = [](const Column& c) { return std::vector<double>(c.values().begin(), c.values().end()); };
-    store(fields->points.columns, "point", [this](const Column& c) { return fields->points.in_order(c); });
-    store(fields->grid.columns, "node", all);
-    store(fields->run, "run", all);
-    const auto& counts = fields->points.count_of_cell();
-    out["points per cell"].assign(counts.begin(), counts.end());
-    return out;
-  }
-
   State state() const {
-    State state{time, stage, stored(), finished_history(), fields->body};
+    State state{time, stage, carried_state(*fields), finished_history(), fields->body};
     state.fields["recorded until"] = {recorded_until};
     state.fields["step cap"] = {step_cap};
     state.fields["over"] = {over ? 1.0 : 0.0};

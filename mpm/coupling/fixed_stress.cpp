@@ -21,33 +21,19 @@ constexpr int most_passes_near_failure = 2;
 }  // namespace
 
 template <int dim>
-void FixedStress<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
-                            const std::vector<SoilContent>& contents, std::function<void(bool)> refresh) {
-  plan_ = &plan;
-  water_ = &water;
-  c_ = columns;
-  contents_ = &contents;
-  refresh_ = std::move(refresh);
-  const Column* earlier_water = plan.fields.points.columns.find("water");
-  fresh_ = earlier_water == nullptr || !earlier_water->allocated();
+void FixedStress<dim>::join_own() {
+  StagePlan<dim>& plan = *plan_;
   const std::string volume = dim == 2 ? "m2" : "m3";
   // After a stage in true time points weigh what grains and water do.
   if (const Column* grains = plan.fields.points.columns.find("grain mass"); grains != nullptr && grains->allocated())
     plan.at_entry([grains, mass = &plan.require_on_points("mass")] {
       std::ranges::copy(grains->values(), mass->values().begin());
     });
-  plan.provide_on_points(shape_value_spec<dim>());
-  plan.provide_on_points(shape_gradient_spec<dim>());
-  const bool needs_suction = std::ranges::any_of(plan.problem.soils, [](const Soil& soil) {
-    return soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law);
-  });
-  if (needs_suction) suction_ = &plan.provide_on_points({"suction", "chi s", "Pa"});
   const int soils = static_cast<int>(plan.problem.soils.size());
   const auto in_step = [&](const char* name, const char* symbol, const std::string& unit, int components) {
     return &plan.provide_on_nodes({name, symbol, unit, components, Lifetime::step});
   };
   volume_before_ = &plan.provide_on_points({"volume before", "V'", volume});
-  pore_stress_ = &plan.provide_on_points({"pore stress", "chi p", "Pa"});
   pores_before_ = in_step("pores before", "P'", volume, soils);
   compliance_ = in_step("pore compliance", "B", volume + "/Pa", soils);
   base_ = in_step("pore stress met", "g", "Pa", soils);
@@ -55,10 +41,10 @@ void FixedStress<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, const 
   mixed_ = in_step("mixing of the passes", "E", volume, 1);
   unsettled_ = &plan.provide_on_nodes({"unsettled water", "M", volume});
   displacement_ = &plan.require_on_nodes("displacement");
-  carried_ = std::make_unique<CarriedWater<dim>>(plan, columns, *water.trial, contents);
+  carried_ = std::make_unique<CarriedWater<dim>>(plan, c_, *water_->trial, *contents_);
   cycle_->conditions.push_back(std::make_unique<WaterPull<dim>>(plan));
   relaxer_ = std::make_unique<Relaxer<dim>>(plan, cycle_);
-  water.settle = [this](int pass) { return settle(pass); };
+  water_->settle = [this](int pass) { return settle(pass); };
   plan.at_record([this](double, meshes::FieldHistory& history) {
     counts_.tell(history);
     history.counters["passes of the split"] += static_cast<double>(std::exchange(passes_, 0));
@@ -91,9 +77,7 @@ void FixedStress<dim>::add_offsets() const {
 template <int dim>
 void FixedStress<dim>::measure_cells() {
   const auto& points = plan_->fields.points;
-  const Column &volume = *plan_->fields.points.columns.find("volume"),
-               &value = *plan_->fields.points.columns.find("shape value"),
-               &gradient = *plan_->fields.points.columns.find("shape gradient");
+  const Column &volume = *this->volume_, &value = *this->value_, &gradient = *this->gradient_;
   const bool averaged = plan_->problem.skeleton.locking == LockingRemedy::b_bar;
   constexpr int n = cell_nodes<dim>;
   cells_.clear();
@@ -129,26 +113,10 @@ void FixedStress<dim>::measure_cells() {
   }
 }
 
-/// Stencils, pores and all that `seepage` derives from the points' places.
-template <int dim>
-void FixedStress<dim>::refresh_geometry() {
-  auto& points = plan_->fields.points;
-  Column &value = *points.columns.find("shape value"), &gradient = *points.columns.find("shape gradient");
-  std::vector<std::size_t> occupied;
-  for (const Block& block : points.blocks()) {
-    fill_stencils<dim>(plan_->fields.grid, points, block, value, gradient);
-    occupied.push_back(block.cell);
-  }
-  measure_cells();
-  const bool changed = occupied != occupied_;
-  occupied_ = std::move(occupied);
-  refresh_(changed);
-}
-
 template <int dim>
 void FixedStress<dim>::ready() {
   std::ranges::copy(c_.pressure->values(), water_->trial->values().begin());
-  std::ranges::copy(plan_->fields.points.columns.at("volume").values(), volume_before_->values().begin());
+  std::ranges::copy(this->volume_->values(), volume_before_->values().begin());
   refresh_geometry();
   rebase();
 }
@@ -162,7 +130,7 @@ void FixedStress<dim>::begin_stage() {
   carried_->begin();
   // Twice: pores that have given way hold less water, which weighs less.
   for (int pass = 0; pass < 2; ++pass) {
-    press_points();
+    press_points(*water_->trial);
     relaxer_->begin_step();
     counts_.add(relaxer_->run());
     ready();
@@ -193,29 +161,13 @@ void FixedStress<dim>::begin_step() {
   const auto stored = c_.stored->values(), before = c_.stored_before->values();
   history_.resize(stored.size());
   for (std::size_t i = 0; i < stored.size(); ++i) history_[i] = stored[i] - before[i];
-  std::ranges::copy(plan_->fields.points.columns.at("volume").values(), volume_before_->values().begin());
+  std::ranges::copy(this->volume_->values(), volume_before_->values().begin());
   std::ranges::copy(c_.pressure->values(), water_->trial->values().begin());
   stabilisation_->fill(0);
   mixed_->fill(0);
   refresh_geometry();
   rebase();
   relaxer_->begin_step();
-}
-
-template <int dim>
-void FixedStress<dim>::press_points() {
-  const Column& value = *plan_->fields.points.columns.find("shape value");
-  for (const Block& block : plan_->fields.points.blocks()) {
-    std::array<double, cell_nodes<dim>> push{};
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      push[i] = carried_->content_of(block).pore_stress((*water_->trial)[0][block.nodes[i]]).value;
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      double g = 0;
-      for (int i = 0; i < cell_nodes<dim>; ++i) g += value[i][q] * push[i];
-      (*pore_stress_)[0][q] = g;
-      if (suction_ != nullptr) (*suction_)[0][q] = std::max(0.0, -g);
-    }
-  }
 }
 
 /// Z_i = sum_c S V_c/E_oed w_i (dg_i - sum_j w_j dg_j): what nodes would hold if they gave way by their own pressure
@@ -272,7 +224,7 @@ void FixedStress<dim>::find_foreseen() {
 /// After a solve: relaxes the skeleton and says whether the flow has to be solved again.
 template <int dim>
 bool FixedStress<dim>::settle(int pass) {
-  press_points();
+  press_points(*water_->trial);
   carried_->before_motion();
   displaced_.assign(displacement_->values().begin(), displacement_->values().end());
   const auto rest = relaxer_->run();

@@ -18,11 +18,8 @@ namespace wetfront::mpm {
 template <int dim>
 class FixedStress : public SkeletonOfFlow<dim> {
  public:
-  explicit FixedStress(std::shared_ptr<SkeletonCycle<dim>> cycle) : cycle_(std::move(cycle)) {}
+  using SkeletonOfFlow<dim>::SkeletonOfFlow;
 
-  /// `refresh(cells_changed)` makes what `seepage` derives from points anew.
-  void join(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
-            const std::vector<SoilContent>& contents, std::function<void(bool)> refresh) override;
   void add_storage(int region, const SoilContent& content) const override;
   void add_offsets() const override;
 
@@ -30,7 +27,6 @@ class FixedStress : public SkeletonOfFlow<dim> {
   void begin_stage() override;  ///< and the skeleton comes to rest under the first pressures
   void begin_step() override;
   void end_step() override { carried_->take_increments(); }
-  const CarriedWater<dim>& carried() const override { return *carried_; }
   bool in_true_time() const override { return false; }
 
  private:
@@ -45,28 +41,20 @@ class FixedStress : public SkeletonOfFlow<dim> {
   };
   bool settle(int pass);
   void find_foreseen();
-  void refresh_geometry();
-  void measure_cells();
+  void join_own() override;
+  void measure_cells() override;
   void rebase();
-  void press_points();
   void find_stabilisation();
   double pressure_scale() const;
 
-  std::shared_ptr<SkeletonCycle<dim>> cycle_;
-  StagePlan<dim>* plan_ = nullptr;
-  NodalWater<dim>* water_ = nullptr;
-  SeepageColumns c_{};
-  const std::vector<SoilContent>* contents_ = nullptr;
-  std::function<void(bool)> refresh_;
-  std::unique_ptr<CarriedWater<dim>> carried_;
+  using SkeletonOfFlow<dim>::c_, SkeletonOfFlow<dim>::carried_, SkeletonOfFlow<dim>::contents_,
+      SkeletonOfFlow<dim>::cycle_, SkeletonOfFlow<dim>::fresh_, SkeletonOfFlow<dim>::plan_, SkeletonOfFlow<dim>::water_,
+      SkeletonOfFlow<dim>::refresh_geometry, SkeletonOfFlow<dim>::press_points;
   std::unique_ptr<Relaxer<dim>> relaxer_;
-  Column *volume_before_, *pore_stress_, *pores_before_, *compliance_, *base_, *stabilisation_, *mixed_, *unsettled_,
-      *displacement_, *suction_ = nullptr;  ///< suction: where a law asks for it
+  Column *volume_before_, *pores_before_, *compliance_, *base_, *stabilisation_, *mixed_, *unsettled_, *displacement_;
   std::vector<Cell> cells_;
-  std::vector<std::size_t> occupied_;
   std::vector<double> displaced_, history_, off_, stabilised_, weight_;
   Anderson anderson_;
-  bool fresh_ = true;           ///< no stage before has carried water
   long passes_ = 0, left_ = 0;  ///< left: steps whose flow and skeleton were left as they were, near failure
   RelaxationCounts counts_;
 };

@@ -1,7 +1,7 @@
 #include "mpm/coupling/true_time.h"
 
+#include "mpm/grid/cell_integrals.h"
 #include "mpm/laws/linear_elastic.h"
-#include "mpm/skeleton/rigid_skeleton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,25 +17,6 @@ constexpr double cycles_per_step = 16;
 /// Nodes this close to zero pressure answer like full ones.
 constexpr double nearly_full = 100;  // Pa
 
-/// Mean of grad N_i over a cell, 2^dim Gauss points: exact in the plane.
-template <int dim>
-std::array<Vector<dim>, cell_nodes<dim>> mean_slope(const Grid<dim>& grid, std::size_t cell) {
-  std::array<Vector<dim>, cell_nodes<dim>> mean{};
-  Stencil<dim> s;
-  double volume = 0;
-  for (int corner = 0; corner < cell_nodes<dim>; ++corner) {
-    Vector<dim> xi{};
-    for (int a = 0; a < dim; ++a) xi[a] = node_sign(corner, a) / std::sqrt(3.0);
-    const double weight = grid.stencil(cell, xi, s);
-    volume += weight;
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      for (int a = 0; a < dim; ++a) mean[i][a] += weight * s.gradient[i][a];
-  }
-  for (auto& one : mean)
-    for (double& component : one) component /= volume;
-  return mean;
-}
-
 }  // namespace
 
 template <int dim>
@@ -49,36 +30,22 @@ class TrueTimeMotion<dim>::PoreForce : public NodalCondition<dim> {
 };
 
 template <int dim>
-void TrueTimeMotion<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, const SeepageColumns& columns,
-                               const std::vector<SoilContent>& contents, std::function<void(bool)> refresh) {
-  plan_ = &plan;
-  water_ = &water;
-  c_ = columns;
-  contents_ = &contents;
-  refresh_ = std::move(refresh);
-  for (const SoilContent& content : contents)
+void TrueTimeMotion<dim>::join_own() {
+  StagePlan<dim>& plan = *plan_;
+  for (const SoilContent& content : *contents_)
     if (!content.compressible())
       throw CannotPlan(plan.stage.origin + ": stage '" + plan.stage.name +
                        "' moves soil with incompressible water in true time (undrained, its pressure would have no "
                        "bound). Give the water its bulk modulus");
-  const auto held = [](const Column* column) { return column != nullptr && column->allocated(); };
-  fresh_ = !held(plan.fields.points.columns.find("water"));
-  const bool weighed = held(plan.fields.points.columns.find("grain mass"));
-  value_ = &plan.provide_on_points(shape_value_spec<dim>());
-  gradient_ = &plan.provide_on_points(shape_gradient_spec<dim>());
+  const Column* earlier_grains = plan.fields.points.columns.find("grain mass");
+  const bool weighed = earlier_grains != nullptr && earlier_grains->allocated();
   mass_ = &plan.require_on_points("mass");
-  volume_ = &plan.require_on_points("volume");
   force_ = &plan.require_on_nodes("force");
   grains_ = &plan.provide_on_points({"grain mass", "m_s", dim == 2 ? "kg/m" : "kg"});
-  pore_stress_ = &plan.provide_on_points({"pore stress", "chi p", "Pa"});
-  const bool needs_suction = std::ranges::any_of(plan.problem.soils, [](const Soil& soil) {
-    return soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law);
-  });
-  if (needs_suction) suction_ = &plan.provide_on_points({"suction", "chi s", "Pa"});
-  carried_ = std::make_unique<CarriedWater<dim>>(plan, columns, *water.trial, contents, "grain mass");
+  carried_ = std::make_unique<CarriedWater<dim>>(plan, c_, *water_->trial, *contents_, "grain mass");
   water_of_points_ = &plan.require_on_points("water");
   for (std::size_t cell = 0; cell < plan.fields.grid.cell_count(); ++cell) {
-    cells_.push_back({{}, mean_slope<dim>(plan.fields.grid, cell)});
+    cells_.push_back({{}, mean_gradients(plan.fields.grid, cell)});
     cells_.back().share.fill(1.0 / cell_nodes<dim>);
   }
   cycle_->conditions.push_back(std::make_unique<PoreForce>(*this));
@@ -92,25 +59,9 @@ void TrueTimeMotion<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, con
 }
 
 template <int dim>
-void TrueTimeMotion<dim>::add_storage(int region, const SoilContent& content) const {
-  const double *pores = (*c_.pore_volume)[region], *p = (*water_->trial)[0];
-  double *stored = (*water_->stored)[0], *capacity = (*water_->capacity)[0];
-  for (std::size_t i = 0; i < c_.pressure->size(); ++i) {
-    if (!(pores[i] > 0)) continue;
-    const ValueAndSlope now = content.at(p[i]);
-    stored[i] += pores[i] * now.value;
-    capacity[i] += pores[i] * now.slope;
-  }
-}
-
-/// Stencils, pores and all that `Seepage` derives from the points' places.
-template <int dim>
-void TrueTimeMotion<dim>::refresh_geometry() {
-  auto& points = plan_->fields.points;
+void TrueTimeMotion<dim>::measure_cells() {
   c_.pore_volume->fill(0);
-  std::vector<std::size_t> occupied;
-  for (const Block& block : points.blocks()) {
-    fill_stencils<dim>(plan_->fields.grid, points, block, *value_, *gradient_);
+  for (const Block& block : plan_->fields.points.blocks()) {
     const Soil& soil = carried_->soil_of(block);
     Cell& cell = cells_[block.cell];
     cell.share.fill(0);
@@ -124,18 +75,21 @@ void TrueTimeMotion<dim>::refresh_geometry() {
       }
     }
     for (double& share : cell.share) share /= whole;
-    occupied.push_back(block.cell);
   }
-  const bool changed = occupied != occupied_;
-  occupied_ = std::move(occupied);
-  refresh_(changed);
+}
+
+template <int dim>
+double TrueTimeMotion<dim>::volume_of(const Block& block) const {
+  double volume = 0;
+  for (std::size_t q = block.first; q < block.first + block.count; ++q) volume += (*volume_)[0][q];
+  return volume;
 }
 
 template <int dim>
 void TrueTimeMotion<dim>::ready() {
   std::ranges::copy(c_.pressure->values(), water_->trial->values().begin());
   refresh_geometry();
-  press_points();
+  press_points(*c_.pressure);
 }
 
 template <int dim>
@@ -186,8 +140,8 @@ void TrueTimeMotion<dim>::add_pore_force() {
     const Cell& cell = cells_[block.cell];
     const std::vector<double>& pores = pores_[static_cast<std::size_t>(block.soil)];
     const SoilContent& content = carried_->content_of(block);
-    double volume = 0, push = 0, known = 0;
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) volume += (*volume_)[0][q];
+    const double volume = volume_of(block);
+    double push = 0, known = 0;
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       const auto node = static_cast<std::size_t>(block.nodes[i]);
       if (!(pores[node] > 0)) continue;  // reached since the flow was last solved
@@ -227,11 +181,10 @@ void TrueTimeMotion<dim>::answer() {
   const auto blocks = plan_->fields.points.blocks();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
-    double volume = 0;
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) volume += (*volume_)[0][q];
+    const double growth = volume_of(block) - block_volume_[b];
     std::vector<double>& grown = grown_[static_cast<std::size_t>(block.soil)];
     for (int i = 0; i < cell_nodes<dim>; ++i)
-      grown[static_cast<std::size_t>(block.nodes[i])] += cells_[block.cell].share[i] * (volume - block_volume_[b]);
+      grown[static_cast<std::size_t>(block.nodes[i])] += cells_[block.cell].share[i] * growth;
   }
   double* p = (*c_.pressure)[0];
   for (std::size_t i = 0; i < c_.pressure->size(); ++i) p[i] = answered(i);
@@ -288,22 +241,7 @@ template <int dim>
 void TrueTimeMotion<dim>::end_step() {
   carried_->take_increments();
   weigh_points();
-  press_points();
-}
-
-template <int dim>
-void TrueTimeMotion<dim>::press_points() {
-  for (const Block& block : plan_->fields.points.blocks()) {
-    std::array<double, cell_nodes<dim>> push{};
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      push[i] = carried_->content_of(block).pore_stress((*c_.pressure)[0][block.nodes[i]]).value;
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      double g = 0;
-      for (int i = 0; i < cell_nodes<dim>; ++i) g += (*value_)[i][q] * push[i];
-      (*pore_stress_)[0][q] = g;
-      if (suction_ != nullptr) (*suction_)[0][q] = std::max(0.0, -g);
-    }
-  }
+  press_points(*c_.pressure);
 }
 
 template class TrueTimeMotion<2>;

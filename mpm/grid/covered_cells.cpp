@@ -1,26 +1,20 @@
 #include "mpm/grid/covered_cells.h"
 
+#include "mpm/grid/cell_integrals.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace wetfront::mpm {
 
 template <int dim>
 CoveredCells<dim>::CoveredCells(const Grid<dim>& grid, const std::vector<int>& open)
-    : grid_(grid),
-      volume_(grid.cell_count()),
+    : volume_(grid.cell_count()),
       covered_(grid.cell_count()),
       cells_around_(grid.node_count()),
       empty_around_(grid.node_count()),
       blocks_in_(grid.cell_count()) {
-  const double place = 1 / std::sqrt(3.0);  // two Gauss points along an axis integrate the volume of any cell
-  Stencil<dim> at;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    for (int k = 0; k < cell_nodes<dim>; ++k) {
-      Vector<dim> xi;
-      for (int a = 0; a < dim; ++a) xi[a] = (k >> a) % 2 == 0 ? -place : place;
-      volume_[cell] += grid.stencil(cell, xi, at);
-    }
+    volume_[cell] = cell_integrals(grid, cell).volume;
     for (int i = 0; i < cell_nodes<dim>; ++i) ++cells_around_[static_cast<std::size_t>(grid.cell_nodes_of(cell)[i])];
   }
   for (const int node : open) ++cells_around_[static_cast<std::size_t>(node)];

@@ -20,7 +20,6 @@ class CoveredCells {
   const double* volumes() const { return covered_.data(); }
 
  private:
-  const Grid<dim>& grid_;
   std::vector<double> volume_, covered_;
   std::vector<int> cells_around_, empty_around_;  ///< per node; an open node has one empty cell for ever
   std::vector<char> blocks_in_;                   ///< per cell

@@ -1,6 +1,6 @@
 #include "mpm/record/motion_ledger.h"
 
-#include "mpm/grid/column_vector.h"
+#include "mpm/grid/point_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ void MotionLedger<dim>::join(StagePlan<dim>& plan) {
     sums_->fill(0);
     const Vector<dim> start = momentum();
     for (int a = 0; a < dim; ++a) (*sums_)[first + a][0] = start[a];
-    (*sums_)[first_energy][0] = kinetic_energy() + potential_energy();
+    (*sums_)[first_energy][0] = kinetic_energy(plan_->fields.points, *mass_, *velocity_) + potential_energy();
   });
   plan.at_record([this](double time, meshes::FieldHistory& history) { record(time, history); });
 }
@@ -143,33 +143,17 @@ Vector<dim> MotionLedger<dim>::momentum() const {
   return sum;
 }
 
-/// Sum over the points of value(slot).
-template <int dim>
-template <class Value>
-double MotionLedger<dim>::over_points(const Value& value) const {
-  double sum = 0;
-  for (const Block& block : plan_->fields.points.blocks())
-    for (std::size_t p = block.first; p < block.first + block.count; ++p) sum += value(p);
-  return sum;
-}
-
 template <int dim>
 double MotionLedger<dim>::motion() const {
-  return over_points([this](std::size_t p) { return (*mass_)[0][p] * length<dim>(at<dim>(*velocity_, p)); });
-}
-
-template <int dim>
-double MotionLedger<dim>::kinetic_energy() const {
-  return over_points([this](std::size_t p) {
-    const Vector<dim> v = at<dim>(*velocity_, p);
-    return 0.5 * (*mass_)[0][p] * dot<dim>(v, v);
-  });
+  return over_points(plan_->fields.points,
+                     [this](std::size_t p) { return (*mass_)[0][p] * length<dim>(at<dim>(*velocity_, p)); });
 }
 
 template <int dim>
 double MotionLedger<dim>::potential_energy() const {
-  return over_points(
-      [this](std::size_t p) { return -(*mass_)[0][p] * dot<dim>(plan_->problem.gravity, at<dim>(*position_, p)); });
+  return over_points(plan_->fields.points, [this](std::size_t p) {
+    return -(*mass_)[0][p] * dot<dim>(plan_->problem.gravity, at<dim>(*position_, p));
+  });
 }
 
 template <int dim>
@@ -177,7 +161,7 @@ void MotionLedger<dim>::record(double time, meshes::FieldHistory& history) const
   const Column& sums = *sums_;
   meshes::MotionRow row;
   row.time = time;
-  row.kinetic = kinetic_energy();
+  row.kinetic = kinetic_energy(plan_->fields.points, *mass_, *velocity_);
   row.stress_work = sums[stress_work][0];
   row.load_work = sums[load_work][0];
   row.resistance = sums[resistance][0];

@@ -49,10 +49,7 @@ class MotionLedger : public Effect<dim> {
   void add_work(double share, bool with_change);
   void record(double time, meshes::FieldHistory& history) const;
   Vector<dim> momentum() const;
-  template <class Value>
-  double over_points(const Value& value) const;
   double motion() const;
-  double kinetic_energy() const;
   double potential_energy() const;
 
   StagePlan<dim>* plan_ = nullptr;

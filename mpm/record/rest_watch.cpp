@@ -1,5 +1,7 @@
 #include "mpm/record/rest_watch.h"
 
+#include "mpm/grid/point_sums.h"
+
 #include <algorithm>
 
 namespace wetfront::mpm {
@@ -13,14 +15,9 @@ void RestWatch<dim>::join(StagePlan<dim>& plan) {
     watch[rest_loud][0] = plan.begin_time();
   });
   plan.add(Phase::carry, "rest watch", [&plan, &mass, &velocity, &watch] {
-    double energy = 0, whole = 0;
-    for (const Block& block : plan.fields.points.blocks())
-      for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-        double square = 0;
-        for (int a = 0; a < dim; ++a) square += velocity[a][p] * velocity[a][p];
-        energy += 0.5 * mass[0][p] * square;
-        whole += mass[0][p];
-      }
+    const auto& points = plan.fields.points;
+    const double energy = kinetic_energy(points, mass, velocity);
+    const double whole = over_points(points, [&mass](std::size_t p) { return mass[0][p]; });
     const RestCriterion& rest = plan.stage.rest;
     const double slow = 0.5 * whole * rest.slowest * rest.slowest;
     watch[rest_largest][0] = std::max(watch[rest_largest][0], energy);

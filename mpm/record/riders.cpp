@@ -7,6 +7,7 @@
 namespace wetfront::mpm {
 
 namespace {
+
 /// Slot of the point that began nearest to a place.
 template <int dim>
 std::size_t nearest(const StagePlan<dim>& plan, const Column& began, const meshes::Point& place) {
@@ -22,13 +23,6 @@ std::size_t nearest(const StagePlan<dim>& plan, const Column& began, const meshe
       if (square < least) least = square, found = p;
     }
   return found;
-}
-
-template <int dim>
-meshes::Point point_of(const Column& column, std::size_t slot) {
-  meshes::Point x{};
-  for (int a = 0; a < dim; ++a) x[static_cast<std::size_t>(a)] = column[a][slot];
-  return x;
 }
 
 }  // namespace
@@ -49,13 +43,13 @@ void Riders<dim>::join(StagePlan<dim>& plan) {
     const auto& asked = plan.problem.riders;
     if (riders.empty())
       for (const Probe& rider : asked)
-        riders.push_back({rider.name, point_of<dim>(began, nearest(plan, began, rider.position)), {}, {}, {}});
+        riders.push_back({rider.name, point_of<dim>(at<dim>(began, nearest(plan, began, rider.position))), {}, {}, {}});
     for (std::size_t k = 0; k < asked.size(); ++k) {
       const std::size_t slot = nearest(plan, began, asked[k].position);
       Rider& rider = riders[k];
       rider.time.push_back(time);
-      rider.place.push_back(point_of<dim>(position, slot));
-      rider.velocity.push_back(point_of<dim>(velocity, slot));
+      rider.place.push_back(point_of<dim>(at<dim>(position, slot)));
+      rider.velocity.push_back(point_of<dim>(at<dim>(velocity, slot)));
     }
   });
 }

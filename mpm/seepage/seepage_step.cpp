@@ -153,6 +153,11 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
   return false;
 }
 
+template <int dim>
+void SeepageStep<dim>::tell_window(double begin, double end) const {
+  for (const auto& tell : water_.before_solve) tell(begin, end);
+}
+
 /// Lets a deforming skeleton follow, and the flow that, until they agree.
 template <int dim>
 bool SeepageStep<dim>::couple(const Bdf2Weights& weights, double dt) {
@@ -161,6 +166,8 @@ bool SeepageStep<dim>::couple(const Bdf2Weights& weights, double dt) {
   Clock& clock = plan_.clock;
   const double end = std::exchange(clock.end, dt < clock.dt ? clock.time + dt : clock.end);
   for (int pass = 0; water_.settle(pass); ++pass) {
+    // The skeleton may have another surface now, and what falls on it has to be told where.
+    tell_window(clock.time, clock.time + dt);
     for (const auto& held : water_.held) (*water_.trial)[0][held.node] = held.pressure;
     water_.ties.copy_pressure((*water_.trial)[0]);
     if (!newton(weights, dt)) {
@@ -238,7 +245,7 @@ void SeepageStep<dim>::run() {
     // Pressures may jump at a break (at once where water cannot be compressed): neither the step that holds the jump
     // nor the one behind it is measured against an extrapolation.
     (*c_.steps)[step_history][0] = -1;
-    for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + smallest_step);
+    tell_window(clock.time, clock.time + smallest_step);
     // A load that jumps is answered at once, by the undrained skeleton; only then does water begin to flow.
     if (water_.settle) {
       (*c_.steps)[step_history][0] = step_after_jump - 1;
@@ -248,13 +255,13 @@ void SeepageStep<dim>::run() {
     }
   } else if ((*c_.steps)[step_history][0] == step_after_jump) {
     // A run that was cut here has not been told yet what falls.
-    for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + dt);
+    tell_window(clock.time, clock.time + dt);
     dt = std::min(dt, first_step());
   }
   const double tolerance = plan_.stage.time_tolerance;
   while (true) {
     const Formula f = formula(dt);
-    for (const auto& tell : water_.before_solve) tell(clock.time, clock.time + dt);
+    tell_window(clock.time, clock.time + dt);
     predict(f);
     double factor = 0.5;
     if (newton(f.weights, dt)) {
@@ -295,7 +302,7 @@ void SeepageStep<dim>::run() {
 template <int dim>
 void SeepageStep<dim>::cover_part(double begin, double end) {
   const Formula euler{Bdf2Weights{}, StepPredictor::constant()};
-  for (const auto& tell : water_.before_solve) tell(begin, end);
+  tell_window(begin, end);
   predict(euler);
   if (newton(euler.weights, end - begin)) return accept(euler, end - begin);
   ++failed_solves;

@@ -62,6 +62,8 @@ class SeepageStep {
   void accept(const Formula& formula, double dt);
   double first_step();
   void cover_part(double begin, double end);
+  /// Weather, levels and heads of the time that is about to be solved for.
+  void tell_window(double begin, double end) const;
   [[noreturn]] void give_up(double dt) const;
 
   StagePlan<dim>& plan_;

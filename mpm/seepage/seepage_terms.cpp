@@ -2,6 +2,7 @@
 
 #include "mpm/seepage/darcy_flux.h"
 #include "mpm/seepage/liquid_inertia.h"
+#include "mpm/seepage/pore_storage.h"
 
 namespace wetfront::mpm {
 
@@ -30,21 +31,13 @@ void Seepage<dim>::add_storage(StagePlan<dim>& plan) {
   for (std::size_t r = 0; r < plan.problem.soils.size(); ++r) {
     const int region = static_cast<int>(r);
     const auto storage = [this, region, content = soils_[r].content] {
-      const double *pores = (*columns_.pore_volume)[region], *p = (*water_->trial)[0];
-      double *stored = (*water_->stored)[0], *capacity = (*water_->capacity)[0];
-      for (std::size_t i = 0; i < columns_.pressure->size(); ++i) {
-        if (!(pores[i] > 0)) continue;
-        const ValueAndSlope held = content.at(p[i]);
-        stored[i] += pores[i] * held.value;
-        capacity[i] += pores[i] * held.slope;
-      }
-    };
-    const auto in_moving_pores = [this, region, content = soils_[r].content] {
-      skeleton_->add_storage(region, content);
+      if (skeleton_ != nullptr)
+        skeleton_->add_storage(region, content);
+      else
+        store_in_pores(*water_, columns_, region, content);
     };
     const std::string name = "storage [" + plan.problem.soils[r].name + "]";
-    const std::function<void()> body = skeleton_ != nullptr ? std::function<void()>(in_moving_pores) : storage;
-    water_->terms.push_back(&plan.add_iterated(Phase::pressure, name, body));
+    water_->terms.push_back(&plan.add_iterated(Phase::pressure, name, storage));
   }
   if (skeleton_ != nullptr)
     water_->terms.push_back(

@@ -302,11 +302,7 @@ void SurfaceExchange<dim>::join(StagePlan<dim>& plan) {
       std::ranges::none_of(plan.problem.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
   const auto find_sites = [this, &plan, follows, rigid] {
     // A side of the mesh stays the surface of a body that settles, so long as there is soil behind it.
-    if ((follows || rigid) && water_->surface(plan).update()) {
-      collect(plan);
-      // Within a step the flow is solved again with these sites: the rain of its window is theirs.
-      if (told_end_ > told_begin_) set_time(plan, told_begin_, told_end_);
-    }
+    if ((follows || rigid) && water_->surface(plan).update()) collect(plan);
     for (const Site& site : sites_)
       if (!plan.fields.points.occupied(site.outlet.cell))
         throw StepFailed("the soil has left the side on which " + this->name() +
@@ -325,11 +321,7 @@ void SurfaceExchange<dim>::join(StagePlan<dim>& plan) {
       throw StepFailed(refused.what());
     }
   });
-  water_->before_solve.push_back([this, &plan](double begin, double end) {
-    told_begin_ = begin;
-    told_end_ = end;
-    set_time(plan, begin, end);
-  });
+  water_->before_solve.push_back([this, &plan](double begin, double end) { set_time(plan, begin, end); });
   water_->limits.push_back([this](const auto& start, double* trial) { stop_at_kinks(start, trial); });
   water_->terms.push_back(&plan.add_iterated(Phase::pressure, this->name(), [this] { add_flows(); }));
   add_ledger(plan);

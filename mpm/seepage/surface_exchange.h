@@ -63,7 +63,6 @@ class SurfaceExchange : public Effect<dim> {
   std::vector<Site> sites_;
   /// A first step is being chosen: by what the soil takes, K_s/h, and not by how fast a film reaches a held pressure.
   bool starting_ = false;
-  double told_begin_ = 0, told_end_ = 0;  ///< window of the solve under way [s]
   Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr;  ///< rates
 };
 

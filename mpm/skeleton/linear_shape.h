@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/grid/cell_integrals.h"
 #include "mpm/grid/material_points.h"
 #include "mpm/lanes.h"
 
@@ -39,7 +40,10 @@ class LinearShape {
 
   /// Mean over the cell of dN_i/dx_a.
   void mean_gradients(std::array<Vector<dim>, nodes>& mean) const {
-    if (!affine_) return crooked_mean(mean);
+    if (!affine_) {
+      mean = mpm::mean_gradients(grid_, cell_);
+      return;
+    }
     for (int i = 0; i < nodes; ++i)
       for (int a = 0; a < dim; ++a) {
         mean[i][a] = 0;
@@ -161,22 +165,6 @@ class LinearShape {
         for (int c = 0; c < 3; ++c) out[c][r] = cofactor(r, c) * scale;
     }
     return out;
-  }
-  /// Integral of dN_i/dx over the volume, two Gauss points per axis (exact in the plane).
-  void crooked_mean(std::array<Vector<dim>, nodes>& mean) const {
-    mpm::Stencil<dim> s;
-    double volume = 0;
-    mean = {};
-    for (int corner = 0; corner < nodes; ++corner) {
-      Vector<dim> xi{};
-      for (int a = 0; a < dim; ++a) xi[a] = node_sign(corner, a) * 0.57735026918962576;
-      const double weight = grid_.stencil(cell_, xi, s);
-      volume += weight;
-      for (int i = 0; i < nodes; ++i)
-        for (int a = 0; a < dim; ++a) mean[i][a] += weight * s.gradient[i][a];
-    }
-    for (auto& m : mean)
-      for (double& c : m) c /= volume;
   }
 
   const Grid<dim>& grid_;

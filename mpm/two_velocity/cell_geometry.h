@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mpm/grid/grid.h"
+#include "mpm/grid/cell_integrals.h"
 
 #include <vector>
 
@@ -8,11 +8,8 @@ namespace wetfront::mpm {
 
 /// Per cell what does not depend on the points.
 template <int dim>
-struct CellGeometry {
-  std::array<Vector<dim>, cell_nodes<dim>> faces{};  ///< integral of grad N_i [m^(dim-1)]
-  std::array<double, cell_nodes<dim>> extent{};      ///< integral of N_i [m^dim]
-  double volume = 0;                                 ///< m^dim
-  double stiffness = 0;                              ///< 4/h^2, h the smallest altitude [1/m2]
+struct CellGeometry : CellIntegrals<dim> {
+  double stiffness = 0;  ///< 4/h^2, h the smallest altitude [1/m2]
 };
 
 template <int dim>
