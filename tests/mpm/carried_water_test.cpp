@@ -2,7 +2,7 @@
 #include "mpm/coupling/carried_water.h"
 #include "mpm/grid/migration.h"
 #include "mpm/skeleton/rigid_skeleton.h"
-#include "tests/mpm/box_mesh.h"
+#include "tests/mpm/plane.h"
 #include "tests/mpm/strip.h"
 
 #include <gtest/gtest.h>

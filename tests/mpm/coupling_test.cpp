@@ -1,8 +1,8 @@
 // Seepage and a skeleton that goes from equilibrium to equilibrium: consolidation, undrained loads, water at rest.
 #include "mpm/laws/linear_elastic.h"
 #include "mpm/simulation.h"
-#include "tests/mpm/box_mesh.h"
 #include "tests/mpm/continuation.h"
+#include "tests/mpm/plane.h"
 #include "tests/mpm/strip.h"
 #include "verification/exact/terzaghi.h"
 
