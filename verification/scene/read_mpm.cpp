@@ -35,6 +35,10 @@ void check_surface(SectionReader& reader, double fraction, const Scene& scene) {
     reader.complain("surface_in_cell", {"cells of this ground follow its layers",
                                         "the topmost ones could not be cut without moving the layers in them",
                                         "Remove it, or describe the soils by zones."});
+  if (const auto* profile = std::get_if<GroundProfile>(&geometry.shape); profile && profile->room > 0)
+    reader.complain("surface_in_cell",
+                    {"this profile has room above its ground", "the surface of a body that may move follows cells",
+                     "Remove it, or remove room."});
   for (const SidePart& part : geometry.parts)
     if (part.of == "top")
       reader.complain("surface_in_cell",

@@ -7,7 +7,7 @@
 namespace wetfront::verification {
 namespace {
 
-/// Why the probe is not in the soil, or "".
+/// Why the place is not in the soil, or "".
 std::string why_outside(const Geometry& geometry, const std::array<double, 3>& at) {
   const double x = at[0], y = at[1];
   constexpr double slack = 1e-9;  // m: a probe on the surface is inside
@@ -41,41 +41,46 @@ std::string why_outside(const Geometry& geometry, const std::array<double, 3>& a
   return "";
 }
 
-void read_position(SectionReader& reader, Probe& probe, const Geometry& geometry) {
+/// `what` is "probe" or "rider".
+void read_position(SectionReader& reader, Probe& point, const std::string& what, const Geometry& geometry) {
   const bool column = std::holds_alternative<Column>(geometry.shape);
   std::string key = "at";
   if (reader.has("elevation")) {
     key = "elevation";
-    probe.position[1] = reader.quantity("elevation");
+    point.position[1] = reader.quantity("elevation");
     if (!column)
-      reader.complain("elevation", {"an elevation alone does not place this probe",
+      reader.complain("elevation", {"an elevation alone does not place this " + what,
                                     "only a column has one place per elevation", "Write at = [\"0 m\", \"0.6 m\"]."});
   } else {
     const std::vector<double> at = reader.vector("at");
-    for (std::size_t i = 0; i < at.size(); ++i) probe.position[i] = at[i];
+    for (std::size_t i = 0; i < at.size(); ++i) point.position[i] = at[i];
     check_plane(reader, "at", at, geometry);
   }
-  const std::string why = why_outside(geometry, probe.position);
+  const std::string why = why_outside(geometry, point.position);
   if (!why.empty())
-    reader.complain(key, {"the probe '" + probe.name + "' is outside the soil", why, "Move it into the soil."});
+    reader.complain(key, {"the " + what + " '" + point.name + "' is outside the soil", why, "Move it into the soil."});
+}
+
+/// Adds a named place in the soil to those read before it, which have other names.
+void read_point(SectionReader& reader, const std::string& what, const Geometry& geometry, std::vector<Probe>& points) {
+  Probe point;
+  point.name = reader.text("name");
+  point.origin = reader.origin();
+  read_position(reader, point, what, geometry);
+  for (const Probe& other : points)
+    if (other.name == point.name && !point.name.empty())
+      reader.complain("name",
+                      {"a second " + what + " is called '" + point.name + "'",
+                       "the first stands in line " + std::to_string(other.origin.line), "Give it another name."});
+  points.push_back(point);
+  reader.finish();
 }
 
 }  // namespace
 
 void read_probes(Reading& reading) {
-  for (SectionReader& reader : sections_of(reading.root, "probe", reading.complaints)) {
-    Probe probe;
-    probe.name = reader.text("name");
-    probe.origin = reader.origin();
-    read_position(reader, probe, reading.scene.geometry);
-    for (const Probe& other : reading.scene.probes)
-      if (other.name == probe.name && !probe.name.empty())
-        reader.complain("name",
-                        {"a second probe is called '" + probe.name + "'",
-                         "the first stands in line " + std::to_string(other.origin.line), "Give it another name."});
-    reading.scene.probes.push_back(probe);
-    reader.finish();
-  }
+  for (SectionReader& reader : sections_of(reading.root, "probe", reading.complaints))
+    read_point(reader, "probe", reading.scene.geometry, reading.scene.probes);
 }
 
 void read_riders(Reading& reading) {
@@ -83,12 +88,7 @@ void read_riders(Reading& reading) {
     if (!reading.elastic())
       reader.complain_at(reader.place(), {"this rider never moves", "every soil of this scene is rigid",
                                           "Remove it, or give the soil young and poisson."});
-    Probe rider;
-    rider.name = reader.text("name");
-    rider.origin = reader.origin();
-    read_position(reader, rider, reading.scene.geometry);
-    reading.scene.riders.push_back(rider);
-    reader.finish();
+    read_point(reader, "rider", reading.scene.geometry, reading.scene.riders);
   }
 }
 
