@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 
 namespace wetfront::verification {
 namespace {
@@ -64,13 +65,19 @@ void read_motion(SectionReader& reader, Stage& stage, bool elastic) {
       reader.unused(key, "this stage is dynamic", "Remove it, or write skeleton = \"quasi-static\".");
 }
 
+/// When the stage that is read begins [s]; nothing where that is not known before the run.
+std::optional<double> begins(const Reading& reading) {
+  const std::vector<Stage>& before = reading.scene.stages;
+  return before.empty() ? std::optional(0.0) : seconds_of(before.back().until, reading.filling());
+}
+
 void check_end(SectionReader& reader, const Stage& stage, const Reading& reading) {
   const Scene& scene = reading.scene;
   const FillingTime filling = reading.filling();
   if (stage.until.of_filling && !filling.why_not.empty())
     reader.complain("until", {"this scene has no filling time", filling.why_not, "Write a time as in \"1800 s\"."});
   const auto end = seconds_of(stage.until, filling);
-  const auto before = scene.stages.empty() ? std::optional(0.0) : seconds_of(scene.stages.back().until, filling);
+  const auto before = begins(reading);
   if (end && before && *end <= *before)
     reader.complain("until",
                     {fmt::format("the stage '{}' ends before it starts", stage.name),
@@ -113,10 +120,7 @@ bool read_end(SectionReader& reader, Stage& stage, const Reading& reading) {
       reader.complain("lasts", {"lasts is given beside until", "they say the same thing in two ways", "Keep one."});
     stage.lasts = reader.quantity("lasts");
     stage.until = {*stage.lasts, false, reader.origin_of("lasts")};
-    if (const auto before = reading.scene.stages.empty()
-                                ? std::optional(0.0)
-                                : seconds_of(reading.scene.stages.back().until, reading.filling()))
-      stage.until.value += *before;
+    if (const auto before = begins(reading)) stage.until.value += *before;
     return true;
   }
   if (!reader.has("until")) reader.missing("until", "end of the stage since the start of the run");

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <limits>
 #include <optional>
 
 namespace wetfront::verification {
@@ -58,22 +57,28 @@ std::size_t end_of_line(const std::string& text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
 
+/// Of what is no number: whether a scene writes it without quotation marks.
 bool bare(const std::string& value) {
-  const auto [number, unit] = number_and_unit(value);
-  return (!number.empty() && unit.empty()) || value == "true" || value == "false" || value.front() == '[' ||
-         value.front() == '{' || value.front() == '"';
+  return value == "true" || value == "false" || value.front() == '[' || value.front() == '{' || value.front() == '"';
 }
 
-std::string literal(const std::string& value, const Value* old, const Key* key) {
+/// The value as a scene writes it. A number keeps the unit of the text that it replaces, and stays a text where that is
+/// no number.
+std::string literal(const std::string& value, const Value* old) {
   const auto [number, unit] = number_and_unit(value);
-  if (!number.empty() && unit.empty()) {
-    const bool text = old ? old->kind == Value::Kind::text : key && key->takes == Takes::text;
-    const std::string kept = old && text ? number_and_unit(old->text).unit : "";
-    if (!text || kept.empty())
-      return text && old && number_and_unit(old->text).number.empty() ? '"' + value + '"' : value;
-    return '"' + value + ' ' + kept + '"';
-  }
-  return bare(value) ? value : '"' + value + '"';
+  if (number.empty() || !unit.empty()) return bare(value) ? value : '"' + value + '"';
+  if (old == nullptr || old->kind != Value::Kind::text) return value;
+  const NumberAndUnit before = number_and_unit(old->text);
+  if (before.number.empty()) return '"' + value + '"';
+  return before.unit.empty() ? value : '"' + value + ' ' + before.unit + '"';
+}
+
+/// What a table of a list may be told by, besides its number.
+std::vector<std::string> called(const Value& table) {
+  std::vector<std::string> names;
+  for (const char* key : {"name", "side", "quantity"})
+    if (const Entry* entry = table.find(key)) names.push_back(entry->value.text);
+  return names;
 }
 
 /// Which of the tables of a list a step means; nothing: it names none of them.
@@ -83,18 +88,15 @@ std::optional<std::size_t> chosen(const Value& list, const std::string& step) {
   if (error == std::errc{} && end == step.data() + step.size())
     return index < list.items.size() ? std::optional(index) : std::nullopt;
   for (std::size_t i = 0; i < list.items.size(); ++i)
-    for (const char* key : {"name", "side", "quantity"})
-      if (const Entry* entry = list.items[i].find(key); entry && entry->value.text == step) return i;
+    if (std::ranges::count(called(list.items[i]), step) > 0) return i;
   return {};
 }
 
 std::string one_of(const Value& list, const std::string& section) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < list.items.size(); ++i) {
-    std::string name = std::to_string(i);
-    for (const char* key : {"name", "side", "quantity"})
-      if (const Entry* entry = list.items[i].find(key); entry && name == std::to_string(i)) name = entry->value.text;
-    names.push_back(section + "[" + name + "]");
+    const std::vector<std::string> own = called(list.items[i]);
+    names.push_back(section + "[" + (own.empty() ? std::to_string(i) : own.front()) + "]");
   }
   return alternatives(names);
 }
@@ -135,11 +137,10 @@ class Editor {
     }
     if (setting_.value.empty()) return without(*at, entry);
     unit_ = number_and_unit(at->text).unit;
-    const Key* key = find_key(section_.substr(0, std::min(section_.rfind('.'), section_.size())), steps_.back());
     if (at->kind == Value::Kind::table && setting_.value.front() != '{')
       refuse(setting_.path, {"this is a section", "only values can be set",
                              "Name a key in it: " + alternatives(keys_and_sections(section_)) + "."});
-    return replaced(offset(text_, at->place), offset(text_, at->end), literal(setting_.value, at, key));
+    return replaced(offset(text_, at->place), offset(text_, at->end), literal(setting_.value, at));
   }
 
   /// Of the value that was there; after edited().
@@ -190,7 +191,7 @@ class Editor {
     if (step + 2 < steps_.size() || !row || (row->takes == Takes::table && !(last && setting_.value.front() == '{')))
       refuse(setting_.path, {"the scene has no [" + inner + "] in which this could be set",
                              "too much would have to be made up", "Write that part into the scene first."});
-    const std::string line = key + " = " + literal(setting_.value, nullptr, row);
+    const std::string line = key + " = " + literal(setting_.value, nullptr);
     if (last) return inserted(table, line);
     if (find_key(section_, name)) return inserted(table, name + " = { " + line + " }");
     return text_ + (text_.empty() || text_.back() == '\n' ? "" : "\n") + "\n[" + inner + "]\n" + line + "\n";
@@ -204,12 +205,8 @@ class Editor {
       refuse(setting_.path, {"nothing can be added like this", "[+] adds one of what there may be several of",
                              "Write e.g. boundary[+]={ side = \"left\", water = \"impermeable\" }."});
     std::string lines;
-    int depth = 0;
-    for (const char c : value.substr(1, value.size() - 2)) {
-      depth += (c == '[' || c == '{') - (c == ']' || c == '}');
-      lines += c == ',' && depth == 0 ? '\n' : c;
-    }
-    return text_ + (text_.empty() || text_.back() == '\n' ? "" : "\n") + "\n[[" + steps_[0] + "]]\n" + lines + "\n";
+    for (const std::string& line : split_at_commas(value.substr(1, value.size() - 2))) lines += line + "\n";
+    return text_ + (text_.empty() || text_.back() == '\n' ? "" : "\n") + "\n[[" + steps_[0] + "]]\n" + lines;
   }
 
   std::string inserted(const Value& table, const std::string& line) const {
@@ -231,9 +228,8 @@ class Editor {
     const std::size_t from = offset(text_, entry->place), to = offset(text_, value.end);
     const std::size_t start = text_.rfind('\n', from) == std::string::npos ? 0 : text_.rfind('\n', from) + 1;
     const bool own_line = text_.find_first_not_of(" \t", start) == from;
-    if (own_line && value.kind != Value::Kind::table)
+    if (own_line && (value.kind != Value::Kind::table || text_[from] != '['))
       return replaced(start, std::min(end_of_line(text_, to) + 1, text_.size()), "");
-    if (own_line && text_[from] != '[') return replaced(start, std::min(end_of_line(text_, to) + 1, text_.size()), "");
     if (text_[offset(text_, value.place)] == '[' && value.kind == Value::Kind::table)
       refuse(setting_.path, {"a whole section cannot be left out", "only keys can", "Leave out its keys."});
     std::size_t after = text_.find_first_not_of(" \t", to);
@@ -259,6 +255,19 @@ NumberAndUnit number_and_unit(const std::string& value) {
   std::string unit(end, static_cast<const char*>(value.data() + value.size()));
   unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
   return {std::string(value.data(), end), unit};
+}
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+    if (c == ',' && depth == 0)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
 }
 
 Setting read_setting(const std::string& text) {

@@ -30,6 +30,9 @@ struct NumberAndUnit {
 };
 NumberAndUnit number_and_unit(const std::string& value);
 
+/// What stands between the commas that lie in no brackets: "1,[2,3]" is {"1", "[2,3]"}.
+std::vector<std::string> split_at_commas(const std::string& text);
+
 /// The unit of the value at a path as the scene writes it; "" for none. Throws as with_value.
 std::string written_unit(const std::string& text, const std::string& path);
 

@@ -65,8 +65,8 @@ struct SkeletonMotion {
 /// What may end a stage before its latest time.
 struct StageEvent {
   enum class Kind { none, failure, rest } kind = Kind::none;
-  double displacement = 0.02, unbalanced_ratio = 5e-3, shortest_step = 2;  ///< failure: m, -, s
-  double energy_ratio = 1e-3, hold = 0.2;                                  ///< rest: -, s
+  double displacement = 0, unbalanced_ratio = 0, shortest_step = 0;  ///< failure: m, -, s
+  double energy_ratio = 0, hold = 0;                                 ///< rest: -, s
 };
 
 }  // namespace wetfront::verification

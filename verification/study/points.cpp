@@ -15,19 +15,6 @@
 namespace wetfront::verification {
 namespace {
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts(1);
-  int depth = 0;
-  for (const char c : text) {
-    depth += (c == '[' || c == '{') - (c == ']' || c == '}');
-    if (c == ',' && depth == 0)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 /// Contents of every file that a text in the document names, relative to the scene's folder.
 void add_files(const Value& value, const std::filesystem::path& folder, ContentHash& hash) {
   std::error_code error;
@@ -44,7 +31,7 @@ void add_files(const Value& value, const std::filesystem::path& folder, ContentH
 
 Variation read_variation(const std::string& text) {
   const Setting setting = read_setting(text);
-  Variation variation{setting.path, split(setting.value)};
+  Variation variation{setting.path, split_at_commas(setting.value)};
   auto sorted = variation.values;
   std::ranges::sort(sorted);
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
