@@ -12,6 +12,11 @@ namespace wetfront::verification::commands {
 
 using Paths = std::vector<std::filesystem::path>;
 
+/// An error or tolerance as people write it: "0.083 %" or "0.0031 m".
+std::string amount(double value, const std::string& unit);
+/// A line for each finding that has a gate; why, where it did not pass.
+void print_findings(const reports::Record& record);
+
 /// How scenes are run.
 struct RunRequest {
   RunOptions options;

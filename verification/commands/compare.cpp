@@ -15,12 +15,7 @@ int compare(const std::filesystem::path& path, const std::filesystem::path& decl
   const RunResult result = compare_foreign(scene, foreign, folder, store);
   fmt::print("{} against the reference of {}: {} -> {}\n", foreign.code, case_name(path), word(result.record.verdict),
              (folder / "report.html").string());
-  for (const auto& finding : result.record.findings) {
-    fmt::print("  {:<12}  {}: {:.4g}", word(finding.verdict), finding.description, finding.error);
-    if (finding.tolerance > 0) fmt::print(", tolerance {:.4g}", finding.tolerance);
-    fmt::print(", reference {:.2g}\n", finding.reference_bound);
-    if (!finding.explanation.empty()) fmt::print("                {}\n", finding.explanation);
-  }
+  print_findings(result.record);
   return static_cast<int>(result.exit);
 }
 

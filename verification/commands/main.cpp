@@ -64,13 +64,18 @@ double fraction(const std::string& text) {
 void add_study(CLI::App* study, commands::StudyRequest& request) {
   study->add_option("SCENE", request.scene, "scene file (.toml)")->required();
   study->add_option("--out", request.out, "output folder (default out/study_<kind>_<scene>)");
-  study->add_option("--jobs", request.jobs, "points at a time (default: one per processor)")
-      ->check(CLI::PositiveNumber);
+}
+
+/// What a study of several points takes.
+void add_points(CLI::App* study, commands::StudyRequest& request) {
+  auto* jobs = study->add_option("--jobs", request.jobs, "points at a time (default: one per processor)")
+                   ->check(CLI::PositiveNumber);
   auto* list = study->add_flag("--list", request.list, "show the points and their numbers, run nothing");
   auto* point = study->add_option("--point", request.point, "compute this point alone: for job arrays")
-                    ->check(CLI::NonNegativeNumber);
+                    ->check(CLI::NonNegativeNumber)
+                    ->excludes(list);
   study->add_flag("--gather", request.gather, "write the page from points computed with --point")
-      ->excludes(list, point);
+      ->excludes(list, point, jobs);
 }
 
 /// Where solutions of the reference are kept between runs.
@@ -123,11 +128,14 @@ int main(int argc, char** argv) {
       "--accuracy", arguments.accuracy,
       "the cheapest setting of a stored study of accuracy whose error is within this, e.g. 1%; without a study, "
       "cells and time steps of the MPM are refined until its own estimated error is");
-  run->add_option("--quantity", run_request.quantity,
-                  "what the accuracy is meant of (default pressure_l2); needs a study")
-      ->needs("--accuracy");
-  run->add_option("--study", run_request.study, "folder of that study (default out/study_accuracy_<scene>)");
+  auto* quantity = run->add_option("--quantity", run_request.quantity,
+                                   "what the accuracy is meant of (default pressure_l2); needs a study")
+                       ->needs("--accuracy");
+  auto* kept_study =
+      run->add_option("--study", run_request.study, "folder of that study (default out/study_accuracy_<scene>)")
+          ->needs("--accuracy");
   run->add_option("--set", run_request.settings, "PATH=VALUE: a value of the scene set anew, e.g. rain.intensity=2e-5")
+      ->excludes(quantity, kept_study)  // a study is of the scene as its file has it
       ->allow_extra_args(false);
   run->add_flag("--ledger", run_request.options.ledger,
                 "also where the differences come from: runs both solvers several times more");
@@ -164,6 +172,7 @@ int main(int argc, char** argv) {
     };
   });
   add_study(vary, request);
+  add_points(vary, request);
   vary->add_option("--set", request.settings,
                    "PATH=V1,V2,...: e.g. rain.intensity=1e-5,2e-5 or soil[sand].porosity=0.4")
       ->required()
@@ -184,9 +193,11 @@ int main(int argc, char** argv) {
   };
   auto* accuracy = add_kind("accuracy", "error over CPU seconds: schemes, cells, tolerances, points per cell",
                             [&] { return commands::study_accuracy(request, budget); });
+  add_points(accuracy, request);
   accuracy->add_option("--budget", budget, "CPU seconds that one point may be expected to cost (default 20)");
   auto* effects = add_kind("effects", "each effect left out or added in turn: which the scene needs",
                            [&] { return commands::study_effects(request, budget); });
+  add_points(effects, request);
   effects->add_option("--budget", budget, "CPU seconds that one point may be expected to cost (default 20)");
   add_kind("difference", "where the difference between MPM and reference comes from",
            [&] { return commands::study_difference(request); });

@@ -5,56 +5,16 @@
 #include "verification/scene/quantities.h"
 #include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
+#include "verification/study/study.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
 namespace wetfront::verification::commands {
 namespace {
-
-/// The exit code that counts when several scenes ran: what went worst.
-int worse(int a, int b) {
-  const auto severity = [](int code) {
-    switch (static_cast<Exit>(code)) {
-      case Exit::pass:
-        return 0;
-      case Exit::inconclusive:
-        return 1;
-      case Exit::fail:
-        return 2;
-      case Exit::gave_up:
-        return 3;
-      case Exit::bad_input:
-        return 4;
-    }
-    return 4;
-  };
-  return severity(a) >= severity(b) ? a : b;
-}
-
-/// An error or tolerance as people write it: "0.083 %" or "0.0031 m".
-std::string amount(double value, const std::string& unit) {
-  if (std::isnan(value)) return "nothing to measure";
-  if (unit == "1") return fmt::format("{:.3g} %", 100 * value);
-  return fmt::format("{:.3g} {}", value, unit);
-}
-
-void print_findings(const reports::Record& record) {
-  for (const auto& finding : record.findings) {
-    if (finding.verdict == reports::Verdict::info) continue;
-    fmt::print("  {:<12}  {}: {}, tolerance {}, reference {}\n", word(finding.verdict), finding.description,
-               amount(finding.error, finding.unit), amount(finding.tolerance, finding.unit),
-               amount(finding.reference_bound, finding.unit));
-    if (finding.verdict != reports::Verdict::pass && !finding.explanation.empty())
-      fmt::print("                {}\n", finding.explanation);
-  }
-}
 
 /// Output folder of each scene; two scenes may not share one.
 std::map<std::filesystem::path, std::filesystem::path> folders_for(const Paths& scenes,
@@ -84,13 +44,15 @@ std::optional<Chosen> chosen_by_study(const Scene& scene, const RunRequest& requ
   const std::string quantity = request.quantity.empty() ? "pressure_l2" : request.quantity;
   const auto folder = request.study.empty() ? std::filesystem::path("out") / ("study_accuracy_" + case_name(scene.path))
                                             : request.study;
-  const auto points = accuracy_points(scene, std::numeric_limits<double>::infinity());
+  std::vector<StudyPoint> points;
+  for (AccuracyPoint& one : accuracy_points(scene)) points.push_back(std::move(one.point));
   std::vector<PointResult> results;
   std::vector<StudyPoint> of;
+  const auto kept = kept_points(scene.path, points, folder);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (auto kept = kept_point(point_folder(folder, i, points[i].point), point_hash(scene.path, points[i].point))) {
-      results.push_back(std::move(*kept));
-      of.push_back(points[i].point);
+    if (kept[i]) {
+      results.push_back(*kept[i]);
+      of.push_back(points[i]);
     }
   if (results.empty()) return {};
   const auto best = cheapest(results, quantity, accuracy);
@@ -142,7 +104,7 @@ int run(const Paths& scenes, const std::filesystem::path& out, const RunRequest&
   std::vector<Scene> read;  // all of them before any is run: a typo in the last must not cost the first
   std::vector<RunOptions> options(scenes.size(), request.options);
   for (std::size_t i = 0; i < scenes.size(); ++i) read.push_back(scene_for(scenes[i], request, options[i]));
-  int code = 0;
+  Exit worst = Exit::pass;
   std::vector<std::filesystem::path> done;
   for (std::size_t i = 0; i < read.size(); ++i) {
     const Scene& scene = read[i];
@@ -152,7 +114,7 @@ int run(const Paths& scenes, const std::filesystem::path& out, const RunRequest&
                result.record.cpu_seconds, result.candidate.history.cpu_seconds, (folder / "report.html").string());
     for (const std::string& reason : why_given_up(result)) fmt::print(stderr, "  gave up: {}\n", reason);
     print_findings(result.record);
-    code = worse(code, static_cast<int>(result.exit));
+    worst = worse(worst, result.exit);
     done.push_back(folder);
   }
   if (done.size() > 1) {
@@ -160,7 +122,7 @@ int run(const Paths& scenes, const std::filesystem::path& out, const RunRequest&
     reports::write_index(done, page, "wetfront: " + std::to_string(done.size()) + " scenes");
     fmt::print("index of all runs -> {}\n", page.string());
   }
-  return code;
+  return static_cast<int>(worst);
 }
 
 }  // namespace wetfront::verification::commands

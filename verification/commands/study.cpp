@@ -9,7 +9,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <functional>
+#include <limits>
 #include <stdexcept>
 
 namespace wetfront::verification::commands {
@@ -46,13 +47,36 @@ int one_point(const StudyRequest& request, const std::vector<StudyPoint>& points
   return result.exit;
 }
 
-int exit_of(const std::vector<PointResult>& results) {
-  const auto any = [&](Exit code) {
-    return std::ranges::any_of(results, [&](const auto& result) { return result.exit == static_cast<int>(code); });
-  };
-  for (const Exit code : {Exit::bad_input, Exit::gave_up, Exit::fail, Exit::inconclusive})
-    if (any(code)) return static_cast<int>(code);
-  return 0;
+/// What one kind of study has of its own.
+struct Kind {
+  std::string name;  ///< "accuracy"
+  std::string what;  ///< "12 settings", for the last line
+  std::vector<StudyPoint> points;
+  std::function<reports::Record(const std::vector<PointResult>&, const std::filesystem::path& out)> page;
+  std::function<void()> before = [] {};  ///< once, before workers would all do it
+  std::function<void(const std::filesystem::path&)> after = [](const auto&) {};  ///< once the page is there
+  double budget = std::numeric_limits<double>::infinity();                       ///< CPU seconds that a point may cost
+  std::size_t always = 0;                                                        ///< points at the front, at any cost
+  bool verdicts_count = true;
+};
+
+/// Lists the points, computes one of them, or all of them or gathers them, with a page over what they left.
+int run_study(const StudyRequest& request, const Kind& kind) {
+  if (request.list) return list(kind.points);
+  const auto out = folder_for(kind.name, request);
+  if (request.point >= 0) return one_point(request, kind.points, out);
+  if (!request.gather) kind.before();
+  const StudyOptions options{out, request.jobs, request.store, request.command, kind.budget, kind.always};
+  const auto results = request.gather ? gather_points(request.scene, kind.points, options)
+                                      : run_points(request.scene, kind.points, options);
+  const reports::Record record = kind.page(results, out);
+  reports::write_result(record, out);
+  kind.after(out);
+  fmt::print("{}, {:.2f} CPU-s of the MPM -> {}\n", kind.what, record.cpu_seconds, (out / "report.html").string());
+  Exit worst = Exit::pass;
+  if (kind.verdicts_count)
+    for (const PointResult& result : results) worst = worse(worst, static_cast<Exit>(result.exit));
+  return static_cast<int>(worst);
 }
 
 }  // namespace
@@ -61,19 +85,13 @@ int study_vary(const StudyRequest& request) {
   const std::vector<Variation> variations = variations_of(request);
   if (variations.empty())
     throw std::invalid_argument("study vary: nothing is varied (no --set). Add e.g. --set rain.intensity=1e-5,2e-5");
-  const std::vector<StudyPoint> points = product(variations);
-  for (const StudyPoint& point : points) point_hash(request.scene, point);  // complains of paths that lead nowhere
-  if (request.list) return list(points);
-  const auto out = folder_for("vary", request);
-  if (request.point >= 0) return one_point(request, points, out);
-  const auto results = request.gather
-                           ? gather_points(request.scene, points, out)
-                           : run_points(request.scene, points, {out, request.jobs, request.store, request.command});
-  const reports::Record record = vary_page(request.scene, variations, results, out);
-  reports::write_result(record, out);
-  fmt::print("{} points, {:.2f} CPU-s of the MPM -> {}\n", results.size(), record.cpu_seconds,
-             (out / "report.html").string());
-  return exit_of(results);
+  Kind kind;
+  kind.name = "vary";
+  kind.points = product(variations);
+  kind.what = fmt::format("{} points", kind.points.size());
+  for (const StudyPoint& point : kind.points) point_hash(request.scene, point);  // complains of paths that lead nowhere
+  kind.page = [&](const auto& results, const auto& out) { return vary_page(request.scene, variations, results, out); };
+  return run_study(request, kind);
 }
 
 int study_accuracy(const StudyRequest& request, double budget) {
@@ -81,45 +99,38 @@ int study_accuracy(const StudyRequest& request, double budget) {
   if (!scene.reference)
     throw SceneError(
         {request.scene.string() + ":1:1: the scene has no reference (errors could not be told). Add [reference]."});
-  const auto points = accuracy_points(scene, budget);
-  std::vector<StudyPoint> all;
-  for (std::size_t i = 0; i < points.size(); ++i) all.push_back(points[i].point);
-  if (request.list) return list(all);
-  const auto out = folder_for("accuracy", request);
-  if (request.point >= 0) return one_point(request, all, out);
-  solve_references(scene, timeline(scene), request.store);  // once, before workers would all solve it
-  const auto costs = reference_costs(scene, request.store);
-  std::vector<bool> wanted;
-  for (const AccuracyPoint& point : points) wanted.push_back(!point.expensive);
-  const auto results =
-      request.gather ? gather_points(request.scene, all, out)
-                     : run_points(request.scene, all, {out, request.jobs, request.store, request.command, wanted});
-  const reports::Record record = accuracy_page(request.scene, points, results, costs, out);
-  reports::write_result(record, out);
-  fmt::print("{} settings, {:.2f} CPU-s of the MPM -> {}\n", results.size(), record.cpu_seconds,
-             (out / "report.html").string());
-  return 0;
+  const auto points = accuracy_points(scene);
+  Kind kind;
+  kind.name = "accuracy";
+  for (const AccuracyPoint& one : points) kind.points.push_back(one.point);
+  kind.what = fmt::format("{} settings", points.size());
+  kind.before = [&] { solve_references(scene, timeline(scene), request.store); };
+  kind.page = [&](const auto& results, const auto& out) {
+    return accuracy_page(request.scene, points, results, reference_costs(scene, request.store), out);
+  };
+  kind.budget = budget;
+  kind.verdicts_count = false;  // coarse settings are meant to miss
+  return run_study(request, kind);
 }
 
 int study_effects(const StudyRequest& request, double budget) {
   const Scene scene = read_scene(request.scene);
-  const auto changes = effect_changes(scene, budget);
-  std::vector<StudyPoint> all;
-  std::vector<bool> wanted;
-  for (const EffectChange& change : changes) all.push_back(change.point), wanted.push_back(!change.expensive);
-  if (request.list) return list(all);
-  const auto out = folder_for("effects", request);
-  if (request.point >= 0) return one_point(request, all, out);
-  if (scene.reference) solve_references(scene, timeline(scene), request.store);
-  const auto results =
-      request.gather ? gather_points(request.scene, all, out)
-                     : run_points(request.scene, all, {out, request.jobs, request.store, request.command, wanted});
-  const reports::Record record = effects_page(request.scene, changes, results, out);
-  reports::write_result(record, out);
-  for (const std::string& sentence : stored_effects(scene, out)) fmt::print("  {}\n", sentence);
-  fmt::print("{} effects, {:.2f} CPU-s of the MPM -> {}\n", changes.size() - 2, record.cpu_seconds,
-             (out / "report.html").string());
-  return 0;
+  const auto changes = effect_changes(scene);
+  Kind kind;
+  kind.name = "effects";
+  for (const EffectChange& change : changes) kind.points.push_back(change.point);
+  kind.what = fmt::format("{} effects", changes.size() - 2);  // the scene itself and its finer cells are none
+  kind.before = [&] {
+    if (scene.reference) solve_references(scene, timeline(scene), request.store);
+  };
+  kind.page = [&](const auto& results, const auto& out) { return effects_page(request.scene, changes, results, out); };
+  kind.after = [&](const auto& out) {
+    for (const std::string& sentence : stored_effects(scene, out)) fmt::print("  {}\n", sentence);
+  };
+  kind.budget = budget;
+  kind.always = 1;  // without the scene itself there is nothing to compare with
+  kind.verdicts_count = false;
+  return run_study(request, kind);
 }
 
 int study_difference(const StudyRequest& request) {

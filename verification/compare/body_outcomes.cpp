@@ -34,7 +34,7 @@ class Body {
   Body(const Scene& scene, const meshes::FieldHistory& history, const mpm::BodyRecord& body)
       : scene_(scene), history_(history), body_(body) {}
 
-  std::vector<BodyOutcome> all() {
+  std::vector<Outcome> all() {
     const double failure = failure_time(body_);
     add("failure_time", "time of failure", "s", std::isfinite(failure) ? failure : never);
     riders();
@@ -121,19 +121,14 @@ class Body {
   const Scene& scene_;
   const meshes::FieldHistory& history_;
   const mpm::BodyRecord& body_;
-  std::vector<BodyOutcome> found_;
+  std::vector<Outcome> found_;
 };
 
 }  // namespace
 
-std::vector<BodyOutcome> body_outcomes(const Scene& scene, const meshes::FieldHistory& history,
-                                       const mpm::BodyRecord& body) {
+std::vector<Outcome> body_outcomes(const Scene& scene, const meshes::FieldHistory& history,
+                                   const mpm::BodyRecord& body) {
   return Body(scene, history, body).all();
-}
-
-double value_of(const std::vector<BodyOutcome>& outcomes, const std::string& name) {
-  const auto found = std::ranges::find(outcomes, name, &BodyOutcome::name);
-  return found == outcomes.end() ? never : found->value;
 }
 
 }  // namespace wetfront::verification

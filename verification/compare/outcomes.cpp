@@ -90,6 +90,16 @@ class Outcomes {
 
 }  // namespace
 
+const Outcome* find_outcome(const std::vector<Outcome>& outcomes, const std::string& name) {
+  const auto found = std::ranges::find(outcomes, name, &Outcome::name);
+  return found == outcomes.end() ? nullptr : &*found;
+}
+
+double value_of(const std::vector<Outcome>& outcomes, const std::string& name) {
+  const Outcome* found = find_outcome(outcomes, name);
+  return found ? found->value : never;
+}
+
 namespace {
 
 /// Saturation of another run of a column at the elevations of the candidate's cells, or averaged over them where the

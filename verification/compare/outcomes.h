@@ -11,11 +11,16 @@
 namespace wetfront::verification {
 
 struct Outcome {
-  std::string name;         ///< stable: "front_position@2", "arrival_time:base"
+  std::string name;         ///< stable: "front_position@2", "arrival_time:base", "failure_time"
   std::string description;  ///< with time or probe
   std::string unit;
   double value;  ///< NaN: did not happen
 };
+
+/// The one of that name; nullptr where there is none.
+const Outcome* find_outcome(const std::vector<Outcome>& outcomes, const std::string& name);
+/// Its value; NaN where there is none.
+double value_of(const std::vector<Outcome>& outcomes, const std::string& name);
 
 /// Read from any solution by the same rule: fields in the cells of `cells_of`, the candidate. Water is told per
 /// horizontal area under rain, or of the ground where none falls. Every solution of a scene has the same outcomes in

@@ -102,7 +102,7 @@ std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
   return {far, fast};
 }
 
-std::string number(const BodyOutcome& outcome) {
+std::string number(const Outcome& outcome) {
   if (std::isnan(outcome.value)) return "-";
   return fmt::format("{:.4g}{}", outcome.value, outcome.unit == "-" ? "" : " " + outcome.unit);
 }
@@ -138,23 +138,22 @@ reports::Table stage_table(const mpm::BodyRecord& body) {
   return table;
 }
 
-reports::Table outcome_table(const std::vector<BodyOutcome>& outcomes) {
+reports::Table outcome_table(const std::vector<Outcome>& outcomes) {
   reports::Table table{"What came out", "The slide", "", {"quantity", "what", "value"}, {}};
-  for (const BodyOutcome& one : outcomes) table.rows.push_back({one.name, one.description, number(one)});
+  for (const Outcome& one : outcomes) table.rows.push_back({one.name, one.description, number(one)});
   return table;
 }
 
-reports::Table observed_table(const Scene& scene, const std::vector<BodyOutcome>& outcomes) {
+reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& outcomes) {
   reports::Table table{"What is known and what came out",
                        "The slide",
                        "Not gated: nothing here was fitted to the measurement.",
                        {"quantity", "measured", "published simulation", "here", "remark"},
                        {}};
   for (const Observation& known : scene.observations) {
-    const auto found = std::ranges::find(outcomes, known.quantity, &BodyOutcome::name);
-    const bool there = found != outcomes.end();
-    table.rows.push_back({there ? found->description : known.quantity, known.measured.empty() ? "-" : known.measured,
-                          known.simulated.empty() ? "-" : known.simulated, there ? number(*found) : "-", known.remark});
+    const Outcome* found = find_outcome(outcomes, known.quantity);
+    table.rows.push_back({found ? found->description : known.quantity, known.measured.empty() ? "-" : known.measured,
+                          known.simulated.empty() ? "-" : known.simulated, found ? number(*found) : "-", known.remark});
   }
   return table;
 }

@@ -17,8 +17,8 @@ std::vector<reports::Figure> slide_figures(const Scene& scene, const meshes::Fie
 /// Stages as they went, with what each plan held.
 reports::Table stage_table(const mpm::BodyRecord& body);
 /// All of body_outcomes().
-reports::Table outcome_table(const std::vector<BodyOutcome>& outcomes);
+reports::Table outcome_table(const std::vector<Outcome>& outcomes);
 /// What the scene says is known ([[observed]]) beside what came out here.
-reports::Table observed_table(const Scene& scene, const std::vector<BodyOutcome>& outcomes);
+reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& outcomes);
 
 }  // namespace wetfront::verification

@@ -70,8 +70,7 @@ RunResult compare_foreign(const Scene& scene, const ForeignResult& foreign, cons
   record.tables.push_back(reference_error_table(measurements));
   add_ledger(record, difference_ledger({scene, times, result.candidate.history, *result.reference, {}, store}));
   record.verdict = overall(record.findings);
-  if (record.verdict == reports::Verdict::fail) result.exit = Exit::fail;
-  if (record.verdict == reports::Verdict::inconclusive) result.exit = Exit::inconclusive;
+  result.exit = exit_for(record.verdict);
   reports::write_result(record, folder);
   return result;
 }

@@ -5,8 +5,8 @@
 #include "reports/write.h"
 #include "verification/compare/body_outcomes.h"
 #include "verification/compare/verdict.h"
-#include "verification/ledger/rerun_scene.h"
 #include "verification/compare/window.h"
+#include "verification/ledger/rerun_scene.h"
 #include "verification/present/field_files.h"
 #include "verification/present/figures.h"
 #include "verification/present/motion_balance.h"
@@ -24,17 +24,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
 namespace wetfront::verification {
 namespace {
-
-Exit exit_for(reports::Verdict verdict) {
-  if (verdict == reports::Verdict::fail) return Exit::fail;
-  if (verdict == reports::Verdict::inconclusive) return Exit::inconclusive;
-  return Exit::pass;
-}
 
 void add_candidate_tables(reports::Record& record, const Prepared& prepared, const meshes::FieldHistory& history) {
   if (prepared.scene.water)
@@ -133,6 +128,17 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
 
 }  // namespace
 
+Exit exit_for(reports::Verdict verdict) {
+  if (verdict == reports::Verdict::fail) return Exit::fail;
+  if (verdict == reports::Verdict::inconclusive) return Exit::inconclusive;
+  return Exit::pass;
+}
+
+Exit worse(Exit a, Exit b) {
+  static constexpr std::array ascending = {Exit::pass, Exit::inconclusive, Exit::fail, Exit::gave_up, Exit::bad_input};
+  return std::ranges::find(ascending, a) >= std::ranges::find(ascending, b) ? a : b;
+}
+
 void note_solver(reports::Record& record, const std::string& who, const Solved& solved) {
   if (!solved.gave_up.empty()) record.log.push_back(who + " gave up: " + solved.gave_up);
   for (const std::string& line : solved.history.log) record.log.push_back(who + ": " + line);
@@ -214,9 +220,13 @@ void add_difference_ledger(const Scene& scene, const Timeline& timeline, const R
 }  // namespace
 
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options) {
+  const double accuracy = options.accuracy > 0 ? options.accuracy : scene.mpm.accuracy;
+  if (options.resume && accuracy > 0)
+    throw SceneError({scene.path.string() +
+                      ":1:1: --resume is given, but an accuracy is asked for (the runs that look for it keep no "
+                      "checkpoint). Leave one of the two out."});
   const Prepared prepared = prepare(scene);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
-  const double accuracy = options.accuracy > 0 ? options.accuracy : scene.mpm.accuracy;
   const Stopping stopping{{folder / "checkpoint.cbor", checkpoint_owner(scene.text)}, 60, options.resume};
   RunResult result = accuracy > 0
                          ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))

@@ -18,6 +18,10 @@ namespace wetfront::verification {
 
 /// Exit codes of every command, in the order of architecture: the worst of several runs counts.
 enum class Exit { pass = 0, fail = 1, bad_input = 2, gave_up = 3, inconclusive = 4 };
+/// Of a run that reached its end.
+Exit exit_for(reports::Verdict verdict);
+/// The one that counts when there are several: pass, inconclusive, fail, gave_up, bad_input, the last the worst.
+Exit worse(Exit a, Exit b);
 
 /// A scene with everything derived from it that needs no solver.
 struct Prepared {

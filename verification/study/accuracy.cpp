@@ -1,6 +1,5 @@
 #include "verification/study/accuracy.h"
 
-#include "mpm/plan.h"
 #include "verification/compare/profile.h"
 #include "verification/scene/read.h"
 #include "verification/translate/timeline.h"
@@ -67,7 +66,7 @@ StudyPoint named(const std::string& name, std::vector<Setting> settings) {
 
 class Builder {
  public:
-  Builder(const Scene& scene, double budget) : scene_(scene), budget_(budget), counts_(cell_counts(scene)) {}
+  explicit Builder(const Scene& scene) : scene_(scene), counts_(cell_counts(scene)) {}
 
   std::vector<AccuracyPoint> all() {
     const auto choices = schemes(scene_);
@@ -102,23 +101,10 @@ class Builder {
     }
     settings.insert(settings.end(), more.begin(), more.end());
     one.point = named(choice.name + ", " + cells + " cells" + suffix, std::move(settings));
-    estimate(one);
     points_.push_back(std::move(one));
   }
 
-  void estimate(AccuracyPoint& one) const {
-    try {
-      Scene asked = read_scene(scene_.path, one.point.settings);
-      asked.mpm.cpu_budget = 0;  // to learn what it would take
-      for (const auto& stage : mpm::plan(prepare(asked).problem)) one.expected_cpu += stage.estimated_cpu_seconds;
-    } catch (const std::exception&) {
-      return;  // what is refused costs nothing, and its point says why
-    }
-    one.expensive = one.expected_cpu > budget_;
-  }
-
   const Scene& scene_;
-  double budget_;
   std::vector<Count> counts_;
   std::vector<AccuracyPoint> points_;
 };
@@ -139,8 +125,8 @@ bool finished(const PointResult& result) {
 
 }  // namespace
 
-std::vector<AccuracyPoint> accuracy_points(const Scene& scene, double budget) {
-  return Builder(scene, budget).all();
+std::vector<AccuracyPoint> accuracy_points(const Scene& scene) {
+  return Builder(scene).all();
 }
 
 double error_of(const PointResult& result, const std::string& quantity) {

@@ -15,16 +15,14 @@ namespace wetfront::verification {
 /// A point of the study and where it belongs on the figures.
 struct AccuracyPoint {
   StudyPoint point;
-  std::string curve;       ///< "seepage, bdf2"; points of one curve differ in their cells alone
-  double cells = 1;        ///< cells per direction over the scene's
-  bool expensive = false;  ///< its plan expects more CPU seconds than the study may spend on a point
-  double expected_cpu = 0;
+  std::string curve;  ///< "seepage, bdf2"; points of one curve differ in their cells alone
+  double cells = 1;   ///< cells per direction over the scene's
 };
 
 /// Schemes (of the last stage) x cells from a quarter to four times the scene's; on the scene's cells also tolerances
-/// of the time integration and points per cell; shape functions where the skeleton moves. Points whose plan expects
-/// more than `budget` CPU seconds are marked. Throws SceneError for a mesh of the user's own.
-std::vector<AccuracyPoint> accuracy_points(const Scene& scene, double budget);
+/// of the time integration and points per cell; shape functions where the skeleton moves. Names and settings only:
+/// nothing is meshed. Throws SceneError for a mesh of the user's own.
+std::vector<AccuracyPoint> accuracy_points(const Scene& scene);
 
 /// Largest error of a quantity over the comparison times and probes, in the quantity's unit; NaN where it was not
 /// measured.

@@ -78,8 +78,8 @@ reports::Table points_table(const Study& study, const std::filesystem::path& out
   for (std::size_t i = 0; i < study.points.size(); ++i) {
     const PointResult& result = study.results[i];
     std::vector<std::string> row{study.points[i].point.name};
-    if (study.points[i].expensive) {
-      row.insert(row.end(), {"not run", fmt::format("about {:.3g}", study.points[i].expected_cpu)});
+    if (result.left_out()) {
+      row.insert(row.end(), {"not run", fmt::format("about {:.3g}", result.expected_cpu)});
       row.insert(row.end(), std::size(studied) + 1, "");
       row.push_back("its plan expects more than the study may spend on a point");
     } else {
@@ -89,7 +89,7 @@ reports::Table points_table(const Study& study, const std::filesystem::path& out
       row.push_back(result.message);
     }
     table.rows.push_back(std::move(row));
-    table.links.push_back(study.points[i].expensive ? "" : link_to(out, i, study.points[i].point));
+    table.links.push_back(result.left_out() ? "" : link_to(out, i, study.points[i].point));
   }
   return table;
 }
@@ -113,18 +113,21 @@ reports::Table orders_table(const Study& study) {
     if (study.points[i].curve == "time tolerance")
       exact_in_time = error_of(study.results[i], "pressure_l2");  // the tightest is last
   for (const std::string& curve : curves) {
-    std::vector<double> errors;
+    struct Told {
+      double cells, error;
+    };
+    std::vector<Told> told;  // points may be missing: what lies between two is told by their cells
     for (std::size_t i = 0; i < study.points.size(); ++i)
       if (study.points[i].curve == curve && std::isfinite(error_of(study.results[i], "pressure_l2")))
-        errors.push_back(error_of(study.results[i], "pressure_l2"));
-    if (errors.size() < 2 || curve == "time tolerance" || curve == "points per cell" || curve == "shape functions")
+        told.push_back({study.points[i].cells, error_of(study.results[i], "pressure_l2")});
+    if (told.size() < 2 || curve == "time tolerance" || curve == "points per cell" || curve == "shape functions")
       continue;
     std::string shown, orders;
     bool falls = true, floor = false;
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-      shown += (i ? ", " : "") + percent_or_metres(errors[i], "pressure_l2");
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      shown += (i ? ", " : "") + percent_or_metres(told[i].error, "pressure_l2");
       if (i == 0) continue;
-      const double order = std::log2(errors[i - 1] / errors[i]);
+      const double order = std::log(told[i - 1].error / told[i].error) / std::log(told[i].cells / told[i - 1].cells);
       orders += (i > 1 ? ", " : "") + fmt::format("{:.2f}", order);
       falls = falls && order > 0;
       floor = order < 0.5;
@@ -134,8 +137,8 @@ reports::Table orders_table(const Study& study) {
                           : floor ? "monotone, then a floor"
                                   : "monotone",
                           curve.starts_with("seepage, bdf2") ? percent_or_metres(exact_in_time, "pressure_l2") : "-",
-                          floor ? percent_or_metres(*std::ranges::min_element(errors), "pressure_l2")
-                                : "below " + percent_or_metres(errors.back(), "pressure_l2")});
+                          floor ? percent_or_metres(std::ranges::min(told, {}, &Told::error).error, "pressure_l2")
+                                : "below " + percent_or_metres(told.back().error, "pressure_l2")});
   }
   return table;
 }

@@ -1,6 +1,5 @@
 #include "verification/study/effects.h"
 
-#include "mpm/plan.h"
 #include "verification/scene/read.h"
 
 #include <fmt/format.h>
@@ -16,7 +15,7 @@ using Settings = std::vector<Setting>;
 
 class Changes {
  public:
-  Changes(const Scene& scene, double budget) : scene_(scene), budget_(budget) {
+  explicit Changes(const Scene& scene) : scene_(scene) {
     deforms_ = std::ranges::any_of(scene.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
   }
 
@@ -64,17 +63,9 @@ class Changes {
   }
 
   void add(const std::string& effect, bool called_for, const std::string& how, Settings settings) {
-    EffectChange change{effect, called_for, how, {}, false, 0};
+    EffectChange change{effect, called_for, how, {}};
     change.point.name = how.empty() ? effect : effect + (called_for ? " left out: " : " added: ") + how;
     change.point.settings = std::move(settings);
-    try {
-      Scene asked = read_scene(scene_.path, change.point.settings);
-      asked.mpm.cpu_budget = 0;
-      for (const auto& plan : mpm::plan(prepare(asked).problem)) change.expected_cpu += plan.estimated_cpu_seconds;
-    } catch (const std::exception&) {
-      // what is refused costs nothing; its point says why
-    }
-    change.expensive = !found_.empty() && change.expected_cpu > budget_;
     found_.push_back(std::move(change));
   }
 
@@ -178,7 +169,6 @@ class Changes {
   }
 
   const Scene& scene_;
-  double budget_;
   bool deforms_;
   std::vector<EffectChange> found_;
 };
@@ -200,21 +190,17 @@ double tolerance_on(const Scene& scene, const Outcome& outcome) {
 
 }  // namespace
 
-std::vector<EffectChange> effect_changes(const Scene& scene, double budget) {
-  return Changes(scene, budget).all();
+std::vector<EffectChange> effect_changes(const Scene& scene) {
+  return Changes(scene).all();
 }
 
 std::vector<Influence> influences(const Scene& scene, const PointResult& base, const PointResult& finer,
                                   const PointResult& changed) {
   std::vector<Influence> all;
   for (const Outcome& outcome : base.candidate) {
-    const auto in = [&](const PointResult& result) {
-      const auto found = std::ranges::find(result.candidate, outcome.name, &Outcome::name);
-      return found == result.candidate.end() ? std::nan("") : found->value;
-    };
     Influence one;
     one.outcome = outcome.description;
-    const double other = in(changed), mesh = in(finer);
+    const double other = value_of(changed.candidate, outcome.name), mesh = value_of(finer.candidate, outcome.name);
     if (std::isnan(outcome.value) && std::isnan(other)) continue;
     one.tolerance = tolerance_on(scene, outcome);
     one.change = other - outcome.value;

@@ -16,13 +16,12 @@ struct EffectChange {
   bool called_for = true;  ///< by the scene: left out; else added
   std::string how;         ///< what was changed
   StudyPoint point;
-  bool expensive = false;  ///< its plan expects more CPU seconds than the study may spend on it
-  double expected_cpu = 0;
 };
 
 /// The first point is the scene itself, the second the same on cells half as large, which tells what the numbers are
-/// worth; then one per effect.
-std::vector<EffectChange> effect_changes(const Scene& scene, double budget);
+/// worth; then one per effect. Names and settings only: nothing is meshed. Throws SceneError for a mesh of the user's
+/// own.
+std::vector<EffectChange> effect_changes(const Scene& scene);
 
 /// Influence of an effect on one outcome and what follows.
 enum class Need { needed, not_needed, undecided, unknown };

@@ -38,7 +38,7 @@ const Influence* largest(const std::vector<Influence>& all) {
 }
 
 std::string sentence(const EffectChange& change, const PointResult& result, const std::vector<Influence>& all) {
-  if (change.expensive) return fmt::format("Not run: its plan expects {:.3g} CPU-s.", change.expected_cpu);
+  if (result.left_out()) return fmt::format("Not run: its plan expects {:.3g} CPU-s.", result.expected_cpu);
   if (all.empty()) return "Could not be run: " + result.message;
   const Influence& most = *largest(all);
   const std::string effect =
@@ -72,7 +72,7 @@ reports::Record effects_page(const std::filesystem::path& path, const std::vecto
                         {}};
   for (std::size_t i = 2; i < changes.size(); ++i) {
     const auto all =
-        changes[i].expensive ? std::vector<Influence>{} : influences(scene, results[0], results[1], results[i]);
+        results[i].left_out() ? std::vector<Influence>{} : influences(scene, results[0], results[1], results[i]);
     const bool called = changes[i].called_for, ran = !all.empty();
     const auto part = [&](double scene_has, double changed) {
       return !ran ? std::string("-") : called ? share(scene_has, changed) : share(changed, scene_has);
@@ -82,7 +82,7 @@ reports::Record effects_page(const std::filesystem::path& path, const std::vecto
          part(results[0].candidate_cpu, results[i].candidate_cpu),
          part(static_cast<double>(results[0].point_bytes), static_cast<double>(results[i].point_bytes)),
          sentence(changes[i], results[i], all)});
-    summary.links.push_back(changes[i].expensive ? "" : link_to(out, i, changes[i].point));
+    summary.links.push_back(results[i].left_out() ? "" : link_to(out, i, changes[i].point));
     for (const Influence& one : all)
       detail.rows.push_back({changes[i].effect, one.outcome, fmt::format("{:.4g}", one.change),
                              fmt::format("{:.2g}", one.uncertainty), fmt::format("{:.3g}", one.tolerance),

@@ -60,6 +60,18 @@ void fill(PointResult& result, const Scene& scene, const std::filesystem::path& 
 
 }  // namespace
 
+double expected_cpu(const std::filesystem::path& path, const StudyPoint& point) {
+  double seconds = 0;
+  try {
+    Scene asked = read_scene(path, point.settings);
+    asked.mpm.cpu_budget = 0;  // to learn what it would take
+    for (const auto& stage : mpm::plan(prepare(asked).problem)) seconds += stage.estimated_cpu_seconds;
+  } catch (const std::exception&) {
+    return 0;
+  }
+  return seconds;
+}
+
 PointResult run_point(const std::filesystem::path& path, const StudyPoint& point, const std::filesystem::path& folder,
                       const ReferenceStore& store) {
   reports::make_writable(folder);

@@ -20,7 +20,13 @@ struct PointResult {
   std::size_t point_bytes = 0;  ///< that the plan allocates for material points
   std::vector<Outcome> candidate, reference;
   std::vector<reports::Finding> findings;
+  double expected_cpu = 0;  ///< of a point left out for its cost: the CPU seconds that its plan expects; else 0
+
+  bool left_out() const { return expected_cpu > 0; }
 };
+
+/// CPU seconds that the plan of a point expects; 0 for one that is refused: it costs nothing, and running it says why.
+double expected_cpu(const std::filesystem::path& scene, const StudyPoint& point);
 
 /// Computes a point into `folder`: report, result.json, run.log and, last and in one move, point.json. A scene that is
 /// refused is a result too.

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -68,10 +67,11 @@ reports::Table outcomes_table(const std::vector<PointResult>& results) {
   for (const Outcome& one : names) table.header.push_back(one.description + " [" + one.unit + "]");
   for (std::size_t i = 0; i < results.size(); ++i) {
     std::vector<std::string> row{results[i].name};
-    for (std::size_t q = 0; q < names.size(); ++q) {
-      std::string cell = q < results[i].candidate.size() ? number(results[i].candidate[q].value) : "-";
-      if (q < results[i].reference.size()) cell += " (" + number(results[i].reference[q].value) + ")";
-      row.push_back(cell);
+    for (const Outcome& one : names) {
+      const Outcome* candidate = find_outcome(results[i].candidate, one.name);
+      const Outcome* reference = find_outcome(results[i].reference, one.name);
+      row.push_back((candidate ? number(candidate->value) : "-") +
+                    (reference ? " (" + number(reference->value) + ")" : ""));
     }
     table.rows.push_back(std::move(row));
   }
@@ -94,13 +94,12 @@ std::optional<Abscissa> abscissa(const std::vector<Variation>& variations, const
   return {};
 }
 
-double value_of(const std::string& text) {
+double number_in(const std::string& text) {
   return std::stod(number_and_unit(text).number);
 }
 
-Figure figure_of(std::size_t outcome, const Abscissa& along, const std::vector<Variation>& variations,
+Figure figure_of(const Outcome& about, const Abscissa& along, const std::vector<Variation>& variations,
                  const std::vector<StudyPoint>& points, const std::vector<PointResult>& results) {
-  const Outcome& about = list_of_outcomes(results)[outcome];
   std::string id = about.name;
   std::ranges::replace_if(
       id, [](unsigned char c) { return !std::isalnum(c) && c != '_'; }, '-');
@@ -109,12 +108,13 @@ Figure figure_of(std::size_t outcome, const Abscissa& along, const std::vector<V
       figure_frame({id, about.description, "Outcomes"}, {varied.path, along.unit.empty() ? "1" : along.unit},
                    {about.name.substr(0, about.name.find_first_of("@:")), about.unit});
   std::vector<double> x;
-  for (const std::string& value : varied.values) x.push_back(value_of(value));
+  for (const std::string& value : varied.values) x.push_back(number_in(value));
   const auto [low, high] = std::ranges::minmax(x);
   figure.log_x = low > 0 && high / low > 20;
   std::map<std::string, int> curve_of;  // of the other settings
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (outcome >= results[i].candidate.size()) continue;
+    const Outcome* candidate = find_outcome(results[i].candidate, about.name);
+    if (!candidate) continue;
     std::string others;
     for (std::size_t s = 0; s < points[i].settings.size(); ++s)
       if (s != along.variation)
@@ -126,13 +126,12 @@ Figure figure_of(std::size_t outcome, const Abscissa& along, const std::vector<V
       figure.series.push_back(
           {others.empty() ? "reference" : "reference, " + others, Series::Style::line, {}, {}, curve->second});
     }
-    const double at = value_of(points[i].settings[along.variation].value);
+    const double at = number_in(points[i].settings[along.variation].value);
     const auto put = [&](Series& series, double y) {
       if (std::isfinite(y)) series.x.push_back(at), series.y.push_back(y);
     };
-    put(figure.series[2 * curve->second], results[i].candidate[outcome].value);
-    if (outcome < results[i].reference.size())
-      put(figure.series[2 * curve->second + 1], results[i].reference[outcome].value);
+    put(figure.series[2 * curve->second], candidate->value);
+    put(figure.series[2 * curve->second + 1], value_of(results[i].reference, about.name));
   }
   std::erase_if(figure.series, [](const Series& series) { return series.x.empty(); });
   return figure;
@@ -193,8 +192,8 @@ reports::Record vary_page(const std::filesystem::path& scene, const std::vector<
   record.tables.push_back(points_table(variations, results, points, out));
   record.tables.push_back(outcomes_table(results));
   if (const auto along = abscissa(variations, record.scene_text))
-    for (std::size_t q = 0; q < list_of_outcomes(results).size(); ++q) {
-      Figure figure = figure_of(q, *along, variations, points, results);
+    for (const Outcome& about : list_of_outcomes(results)) {
+      Figure figure = figure_of(about, *along, variations, points, results);
       if (varies(figure)) record.figures.push_back(std::move(figure));
     }
   return record;

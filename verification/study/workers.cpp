@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <map>
 #include <stdexcept>
 
@@ -47,6 +49,9 @@ void run_side_by_side(const std::vector<Work>& work, int jobs, const std::functi
     }
     int status = 0;
     const pid_t ended = waitpid(-1, &status, 0);
+    if (ended < 0 && errno != EINTR)
+      throw std::runtime_error(std::string("the processes of the points cannot be waited for: ") +
+                               std::strerror(errno));
     const auto found = running.find(ended);
     if (found == running.end()) continue;
     const std::size_t index = found->second;
