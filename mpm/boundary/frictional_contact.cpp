@@ -8,82 +8,10 @@
 
 namespace wetfront::mpm {
 
-namespace {
-
-template <int dim>
-using Normals = std::span<const Vector<dim>>;
-
-/// Solves G x = b for the Gram matrix of `set`; false where its normals do not span so many directions.
-template <int dim>
-bool solve_gram(Normals<dim> normals, std::span<const int> set, const Vector<dim>& velocity, Vector<dim>& lambda) {
-  const int n = static_cast<int>(set.size());
-  std::array<std::array<double, dim + 1>, dim> rows{};
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c)
-      rows[r][c] = dot<dim>(normals[static_cast<std::size_t>(set[r])], normals[static_cast<std::size_t>(set[c])]);
-    rows[r][n] = dot<dim>(normals[static_cast<std::size_t>(set[r])], velocity);
-  }
-  for (int k = 0; k < n; ++k) {  // a Gram matrix needs no pivoting
-    if (!(rows[k][k] > 1e-10)) return false;
-    for (int r = 0; r < n; ++r) {
-      if (r == k) continue;
-      const double factor = rows[r][k] / rows[k][k];
-      for (int c = k; c <= n; ++c) rows[r][c] -= factor * rows[k][c];
-    }
-  }
-  for (int k = 0; k < n; ++k) lambda[k] = rows[k][n] / rows[k][k];
-  return true;
-}
-
-/// Tries one set of active planes.
-template <int dim>
-bool fits(Normals<dim> normals, std::span<const int> set, const Vector<dim>& velocity, Vector<dim>& out,
-          std::span<double> impulse) {
-  Vector<dim> lambda{};
-  if (!solve_gram<dim>(normals, set, velocity, lambda)) return false;
-  const double size = 1e-12 * length<dim>(velocity);
-  out = velocity;
-  for (std::size_t k = 0; k < set.size(); ++k) {
-    if (lambda[k] < -size) return false;
-    for (int a = 0; a < dim; ++a) out[a] -= lambda[k] * normals[static_cast<std::size_t>(set[k])][a];
-  }
-  for (const Vector<dim>& normal : normals)
-    if (dot<dim>(normal, out) > size) return false;
-  if (set.size() == dim) out.fill(0);  // to the last bit
-  std::fill(impulse.begin(), impulse.end(), 0.0);
-  for (std::size_t k = 0; k < set.size(); ++k) impulse[static_cast<std::size_t>(set[k])] = std::max(lambda[k], 0.0);
-  return true;
-}
-
-}  // namespace
-
-template <int dim>
-Vector<dim> without_penetration(const Vector<dim>& velocity, std::span<const Vector<dim>> normals,
-                                std::span<double> impulse) {
-  const int planes = static_cast<int>(normals.size());
-  Vector<dim> out{};
-  std::array<int, dim> set{};
-  for (int size = 0; size <= std::min(planes, dim); ++size) {
-    for (int k = 0; k < size; ++k) set[k] = k;
-    while (true) {
-      if (fits<dim>(normals, {set.data(), static_cast<std::size_t>(size)}, velocity, out, impulse)) return out;
-      int k = size - 1;  // the next combination
-      while (k >= 0 && set[k] == planes - size + k) --k;
-      if (k < 0) break;
-      ++set[k];
-      for (int later = k + 1; later < size; ++later) set[later] = set[later - 1] + 1;
-    }
-  }
-  // Planes that shut every way out, to round-off: the node stays.
-  for (int k = 0; k < planes; ++k)
-    impulse[static_cast<std::size_t>(k)] = std::max(dot<dim>(normals[static_cast<std::size_t>(k)], velocity), 0.0);
-  return {};
-}
-
 template <int dim>
 ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>& cycle,
                                         const std::vector<FrictionalContact>& sides)
-    : plan_(plan), cycle_(cycle), nodes_(plan) {
+    : plan_(plan), cycle_(cycle), nodes_(plan), gaps_(plan) {
   struct Plane {
     Vector<dim> normal;
     double friction, area;
@@ -107,6 +35,7 @@ ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>
       const double free = length<dim>(normal);
       if (free < 1e-6) continue;  // held along the normal anyway
       for (double& component : normal) component /= free;
+      gaps_.add_plane(node.index, normal);
       normal_.push_back(normal);
       friction_.push_back(plane.friction);
       area_.push_back(plane.area);
@@ -115,6 +44,8 @@ ContactCondition<dim>::ContactCondition(StagePlan<dim>& plan, SkeletonCycle<dim>
     if (node.count > 0) base_.push_back(node);
   }
   impulse_.assign(normal_.size(), 0.0);
+  approach_ = impulse_;
+  gaps_.finish();
   // Where the liquid has a momentum balance of its own, it has made the accelerations by then.
   const bool two_velocities =
       plan.stage.liquid == LiquidScheme::implicit_drag || plan.stage.liquid == LiquidScheme::explicit_drag;
@@ -182,24 +113,41 @@ typename ContactCondition<dim>::Wet ContactCondition<dim>::wet(const Node& node)
   return {mass + problem.water->density * volume * content, filled * saturation * p};
 }
 
-/// Says whether the node sticks.
 template <int dim>
-bool ContactCondition<dim>::stop_at_planes(Node& node, Vector<dim>& v, double dt) {
-  const std::span<const Vector<dim>> normals{normal_.data() + node.first, node.count};
-  const std::span<double> impulse{impulse_.data() + node.first, node.count};
-  v = without_penetration<dim>(v, normals, impulse);
+void ContactCondition<dim>::find_gaps() {
+  gaps_.find();
+  for (std::size_t k = 0; k < approach_.size(); ++k) approach_[k] = gaps_.gaps()[k] / cycle_.dt;
+}
+
+template <int dim>
+RigidPlanes<dim> ContactCondition<dim>::planes(const Node& node) const {
+  return {{normal_.data() + node.first, node.count}, {approach_.data() + node.first, node.count}};
+}
+
+template <int dim>
+std::span<double> ContactCondition<dim>::impulse(const Node& node) {
+  return {impulse_.data() + node.first, node.count};
+}
+
+/// Friction brakes what of the velocity is along the planes that bear; what closes a gap stays.
+template <int dim>
+void ContactCondition<dim>::stop_at_planes(Node& node, Vector<dim>& v, double dt) {
+  v = without_penetration<dim>(v, planes(node), impulse(node));
   double grip = 0;
   const Wet with = wet(node);
-  for (std::size_t k = 0; k < node.count; ++k) {
-    if (!(impulse[k] > 0)) continue;
-    const double water = with.pressure * area_[node.first + k] * dt / with.mass;
-    grip += friction_[node.first + k] * std::max(impulse[k] - water, 0.0);
+  for (std::size_t k = node.first; k < node.first + node.count; ++k) {
+    if (!(impulse_[k] > 0)) continue;
+    const double water = with.pressure * area_[k] * dt / with.mass;
+    grip += friction_[k] * std::max(impulse_[k] - water, 0.0);
   }
-  if (!(grip > 0)) return false;
-  const double speed = length<dim>(v);
-  const double left = speed > grip ? 1 - grip / speed : 0.0;
-  for (double& component : v) component *= left;
-  return left == 0;
+  node.sticks = false;
+  if (!(grip > 0)) return;
+  const Vector<dim> along = along_planes<dim>(v, planes(node), impulse(node));
+  const double speed = length<dim>(along);
+  node.sticks = speed <= grip;
+  const double lost = node.sticks ? 1 : grip / speed;
+  for (int a = 0; a < dim; ++a) v[a] -= lost * along[a];
+  if (node.sticks) node.stuck = v;
 }
 
 template <int dim>
@@ -216,13 +164,13 @@ void ContactCondition<dim>::damp(const Node& node, Vector<dim>& v) {
     const double before = nodes_.velocity[a][node.index];
     if (!node.held[a] && before != 0) v[a] -= cycle_.damping * std::copysign(std::abs(v[a] - before), before);
   }
-  v = without_penetration<dim>(v, {normal_.data() + node.first, node.count},
-                               {impulse_.data() + node.first, node.count});
+  v = without_penetration<dim>(v, planes(node), impulse(node));
 }
 
 template <int dim>
 void ContactCondition<dim>::limit_acceleration() {
   if (pore_stress_ != nullptr) find_wall_pressure();
+  find_gaps();
   const double dt = cycle_.dt;
   for (Node& node : base_) {
     node.sticks = false;
@@ -233,7 +181,7 @@ void ContactCondition<dim>::limit_acceleration() {
       if (!node.held[a])
         v[a] =
             nodes_.velocity[a][node.index] + dt * (damped_ ? node.force[a] / mass : nodes_.acceleration[a][node.index]);
-    node.sticks = stop_at_planes(node, v, dt);
+    stop_at_planes(node, v, dt);
     if (damped_ && !node.sticks) damp(node, v);
     for (int a = 0; a < dim; ++a)
       if (!node.held[a]) nodes_.acceleration[a][node.index] = (v[a] - nodes_.velocity[a][node.index]) / dt;
@@ -244,21 +192,18 @@ template <int dim>
 void ContactCondition<dim>::limit_velocity() {
   // With the stress first this comes before the accelerations, which say who sticks.
   const bool known = plan_.problem.skeleton.update != StressUpdate::usf;
+  if (!known) find_gaps();
   for (const Node& node : base_) {
     if (nodes_.empty(node.index)) continue;
     Vector<dim> v{};
     for (int a = 0; a < dim; ++a)
       if (!node.held[a]) v[a] = nodes_.velocity[a][node.index];
-    const std::span<const Vector<dim>> normals{normal_.data() + node.first, node.count};
-    const std::span<double> impulse{impulse_.data() + node.first, node.count};
-    v = known && node.sticks ? Vector<dim>{} : without_penetration<dim>(v, normals, impulse);
+    v = known && node.sticks ? node.stuck : without_penetration<dim>(v, planes(node), impulse(node));
     for (int a = 0; a < dim; ++a)
       if (!node.held[a]) nodes_.velocity[a][node.index] = v[a];
   }
 }
 
-template Vector<2> without_penetration<2>(const Vector<2>&, std::span<const Vector<2>>, std::span<double>);
-template Vector<3> without_penetration<3>(const Vector<3>&, std::span<const Vector<3>>, std::span<double>);
 template class ContactCondition<2>;
 template class ContactCondition<3>;
 

@@ -1,26 +1,21 @@
 #pragma once
 
+#include "mpm/boundary/contact_gaps.h"
+#include "mpm/boundary/rigid_planes.h"
 #include "mpm/boundary/skeleton_nodes.h"
 
 #include <span>
 
 namespace wetfront::mpm {
 
-/// Velocity after contact with rigid planes of outward normals n_k: the nearest one that goes into none of them.
-/// `impulse[k]` >= 0 is what plane k took away [m/s]. Planes are few (corners), so every set of at most `dim` active
-/// ones is tried; by convexity one of them fits.
-template <int dim>
-Vector<dim> without_penetration(const Vector<dim>& velocity, std::span<const Vector<dim>> normals,
-                                std::span<double> impulse);
-
 /// The rigid base of the body: all FrictionalContact sides together. With v* = v + dt a, at each node
 ///
-///     v' = nearest to v* with v'.n_k <= 0,   R_k dt = m lambda_k,   |friction| <= sum_k mu_k (R_k - A_k p_w),
+///     v' = nearest to v* with v'.n_k <= gap_k/dt,   R_k dt = m lambda_k,   |friction| <= sum_k mu_k (R_k - A_k p_w),
 ///
 /// where p_w is the part of the wall's reaction per area that pore water carries (friction acts on the effective
-/// reaction). The node sticks where friction can stop what is left of v', else it slows it down. It lifts off freely:
-/// no plane pulls. Axes that fixities hold stay as they are. In MUSL the velocities mapped back are kept out of the
-/// base too.
+/// reaction). The node sticks where friction can stop what of v' is along the base, else it slows it down. It lifts off
+/// freely: no plane pulls, and a body that has lifted comes down again (ContactGaps). Axes that fixities hold stay as
+/// they are. In MUSL the velocities mapped back are kept out of the base too.
 template <int dim>
 class ContactCondition : public NodalCondition<dim> {
  public:
@@ -35,6 +30,7 @@ class ContactCondition : public NodalCondition<dim> {
     std::size_t first = 0, count = 0;  ///< of its planes
     std::array<bool, dim> held{};
     bool sticks = false;
+    Vector<dim> stuck{};  ///< the velocity it has while it sticks: none, or what closes a gap
     Vector<dim> force{};  ///< before damping
   };
   void find_wall_pressure();
@@ -44,7 +40,10 @@ class ContactCondition : public NodalCondition<dim> {
     double mass, pressure;
   };
   Wet wet(const Node& node) const;
-  bool stop_at_planes(Node& node, Vector<dim>& v, double dt);
+  void find_gaps();
+  RigidPlanes<dim> planes(const Node& node) const;
+  std::span<double> impulse(const Node& node);
+  void stop_at_planes(Node& node, Vector<dim>& v, double dt);
 
   StagePlan<dim>& plan_;
   SkeletonCycle<dim>& cycle_;
@@ -52,7 +51,8 @@ class ContactCondition : public NodalCondition<dim> {
   bool damped_ = false;  ///< reactions are found from forces before damping
   std::vector<Node> base_;
   std::vector<Vector<dim>> normal_;  ///< of each node's planes, in the axes that are not held; length 1
-  std::vector<double> friction_, area_, impulse_;
+  std::vector<double> friction_, area_, impulse_, approach_;
+  ContactGaps<dim> gaps_;
   const Column *node_pressure_ = nullptr, *pore_stress_ = nullptr, *volume_ = nullptr;
   std::vector<double> wall_pressure_, weight_;  ///< per node of the grid; with seepage only
   struct {

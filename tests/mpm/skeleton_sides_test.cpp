@@ -167,12 +167,13 @@ TEST(AbsorbingSides, WhatCarriedTheBodyGoesOnCarryingIt) {
 // --- contact ---
 
 template <int dim>
-Vector<dim> nearest_by_search(const Vector<dim>& v, const std::vector<Vector<dim>>& normals) {
+Vector<dim> nearest_by_search(const Vector<dim>& v, const std::vector<Vector<dim>>& normals,
+                              const std::vector<double>& approach) {
   Vector<dim> x = v;
   std::vector<double> lambda(normals.size(), 0);
   for (int turn = 0; turn < 20000; ++turn)
     for (std::size_t k = 0; k < normals.size(); ++k) {
-      const double change = std::max(dot<dim>(normals[k], x), -lambda[k]);
+      const double change = std::max(dot<dim>(normals[k], x) - approach[k], -lambda[k]);
       lambda[k] += change;
       for (int a = 0; a < dim; ++a) x[a] -= change * normals[k][a];
     }
@@ -192,9 +193,10 @@ void expect_nearest(int planes) {
       const double size = length<dim>(n);
       for (double& x : n) x /= size;
     }
-    std::vector<double> impulse(normals.size());
-    const Vector<dim> found = without_penetration<dim>(v, normals, impulse),
-                      wanted = nearest_by_search<dim>(v, normals);
+    std::vector<double> impulse(normals.size()), approach(normals.size());
+    for (double& b : approach) b = std::max(normal(random), 0.0);  // half of them are touched
+    const Vector<dim> found = without_penetration<dim>(v, {normals, approach}, impulse),
+                      wanted = nearest_by_search<dim>(v, normals, approach);
     for (int a = 0; a < dim; ++a) ASSERT_NEAR(found[a], wanted[a], 1e-6);
     for (double one : impulse) ASSERT_GE(one, 0);
   }

@@ -46,7 +46,7 @@ mpm::Problem<dim> block(const Block& b) {
     problem.gravity[up] = -gravity;
   else
     problem.gravity[0] = gravity * std::sin(slope), problem.gravity[up] = -gravity * std::cos(slope);
-  problem.initial_stress = b.turned_mesh ? mpm::InitialStress::none : mpm::InitialStress::k0;
+  problem.initial_stress = mpm::InitialStress::k0;
   problem.skeleton_boundary.push_back(mpm::FrictionalContact{"base", b.friction, "suite"});
   if (dim == 3) add_rollers(problem, {"front", "back"});
   problem.skeleton.integration = mpm::StressIntegration::points;  // mixed: it rocks more, 1.6 % at mu = 0.5
