@@ -15,6 +15,7 @@ std::vector<Case> motion_work_cases();          ///< error over CPU seconds, sch
 std::vector<Case> material_path_cases();        ///< laws along paths of strain and stress
 std::vector<Case> footing_cases();              ///< Prandtl
 std::vector<Case> incline_cases();              ///< a block slides or sticks; an infinite slope
+std::vector<Case> wide_block_cases();           ///< a wide one rests, slides and hops, beside finite elements
 std::vector<Case> collapse_cases();             ///< dry columns fall
 
 std::vector<Case> wet_column_cases();  ///< Terzaghi, de Boer, undrained loads, a flying block
