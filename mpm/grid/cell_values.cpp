@@ -14,15 +14,16 @@ struct MeanGradient {
   int cells = 0;
 };
 
-/// Gradients at (node, region): the mean over that region's cells around the node.
+/// Gradients at (node, region): the mean over that region's cells with soil around the node.
 template <int dim>
 using NodalGradients = std::map<std::pair<int, int>, MeanGradient<dim>>;
 
 template <int dim>
-NodalGradients<dim> average_gradients(const Grid<dim>& grid, const double* nodal) {
+NodalGradients<dim> average_gradients(const Grid<dim>& grid, const double* nodal, const std::vector<char>& soil) {
   NodalGradients<dim> gradients;
   Stencil<dim> stencil;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+    if (!soil[cell]) continue;
     const int* nodes = grid.cell_nodes_of(cell);
     grid.stencil(cell, Vector<dim>{}, stencil);
     Vector<dim> gradient{};
@@ -40,8 +41,8 @@ NodalGradients<dim> average_gradients(const Grid<dim>& grid, const double* nodal
 }  // namespace
 
 template <int dim>
-std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal) {
-  const auto gradients = average_gradients(grid, nodal);
+std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal, const std::vector<char>& soil) {
+  const auto gradients = average_gradients(grid, nodal, soil);
   std::vector<double> values;
   values.reserve(grid.cell_count());
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
@@ -49,9 +50,10 @@ std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal) {
     const Vector<dim> centre = grid.place(cell, Vector<dim>{});
     double value = 0, low = nodal[nodes[0]], high = low;
     for (int i = 0; i < cell_nodes<dim>; ++i) {
-      const auto& mean = gradients.at({nodes[i], grid.region(cell)});
       double step = 0;
-      for (int a = 0; a < dim; ++a) step += mean.sum[a] / mean.cells * (centre[a] - grid.node(nodes[i])[a]);
+      if (const auto mean = gradients.find({nodes[i], grid.region(cell)}); mean != gradients.end())
+        for (int a = 0; a < dim; ++a)
+          step += mean->second.sum[a] / mean->second.cells * (centre[a] - grid.node(nodes[i])[a]);
       value += (nodal[nodes[i]] + 0.5 * step) / cell_nodes<dim>;
       low = std::min(low, nodal[nodes[i]]);
       high = std::max(high, nodal[nodes[i]]);
@@ -61,7 +63,7 @@ std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal) {
   return values;
 }
 
-template std::vector<double> cell_values<2>(const Grid<2>&, const double*);
-template std::vector<double> cell_values<3>(const Grid<3>&, const double*);
+template std::vector<double> cell_values<2>(const Grid<2>&, const double*, const std::vector<char>&);
+template std::vector<double> cell_values<3>(const Grid<3>&, const double*, const std::vector<char>&);
 
 }  // namespace wetfront::mpm

@@ -11,8 +11,9 @@ namespace wetfront::mpm {
 /// g_i = mean of the centre gradients of the cells of one region around the corner (gradient averaging after
 /// Zienkiewicz and Zhu 1987). The mean of the corners alone misses p_c by h2/8 p'' at a wetting front, more than the
 /// scheme's own error there (README, section 8). The value is kept within those of the cell's corners, so that it
-/// makes no new extremum.
+/// makes no new extremum. Only cells with soil (one mark per cell) have a gradient: nodal values above the ground mean
+/// nothing.
 template <int dim>
-std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal);
+std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal, const std::vector<char>& soil);
 
 }  // namespace wetfront::mpm

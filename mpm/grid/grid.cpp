@@ -53,6 +53,7 @@ Grid<dim>::Grid(const meshes::Mesh& mesh) : columns(mesh.nodes.size()), nodes_(m
       }
     }
     affine_.push_back(worst < 1e-9 ? 1 : 0);
+    altitude_.push_back(measure_altitude(cell));
   }
   find_neighbours();
 }
@@ -130,7 +131,7 @@ Vector<dim> Grid<dim>::face_normal(std::size_t cell, const Vector<dim>& xi, int 
 }
 
 template <int dim>
-double Grid<dim>::smallest_altitude(std::size_t cell) const {
+double Grid<dim>::measure_altitude(std::size_t cell) const {
   // |dxi_a/dx| is 2 / (distance of the two faces across axis a) in an affine cell; the corners bound it in others.
   double altitude = std::numeric_limits<double>::infinity();
   for (int i = 0; i < cell_nodes<dim>; ++i) {

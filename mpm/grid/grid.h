@@ -20,7 +20,7 @@ class Grid {
   const Vector<dim>& node(int index) const { return positions_[static_cast<std::size_t>(index)]; }
   int region(std::size_t cell) const { return regions_[cell]; }
   /// Shortest distance between two nodes of the cell's opposite faces [m]: its smallest altitude.
-  double smallest_altitude(std::size_t cell) const;
+  double smallest_altitude(std::size_t cell) const { return altitude_[cell]; }
 
   /// Local coordinates of a place, in [-1, 1]^dim when it lies inside. One small matrix product in an affine cell
   /// (parallelogram), Newton's method in others.
@@ -48,12 +48,14 @@ class Grid {
 
  private:
   AffineMap map_at(std::size_t cell, const Vector<dim>& xi) const;
+  double measure_altitude(std::size_t cell) const;
   void find_neighbours();
 
   std::vector<Vector<dim>> positions_;
   std::vector<int> nodes_, regions_;
   std::vector<AffineMap> maps_;  ///< at the centre of each cell
   std::vector<char> affine_;
+  std::vector<double> altitude_;
   std::vector<int> neighbour_start_, neighbours_;  ///< cells that share a node with a cell
 };
 

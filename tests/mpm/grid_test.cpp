@@ -1,4 +1,5 @@
 // Stencils on skewed cells, places and cells, seeding.
+#include "mpm/grid/cell_values.h"
 #include "mpm/grid/seeding.h"
 #include "tests/mpm/strip.h"
 
@@ -83,6 +84,23 @@ TEST(Grid, FindsCellsFromNearAndFar) {
   EXPECT_EQ(grid.find_cell({0.01, 1.19}, 0), 39);
   EXPECT_EQ(grid.find_cell({0.01, 1.21}, 39), -1);
   EXPECT_NEAR(grid.smallest_altitude(7), 0.03, 1e-14);
+}
+
+TEST(CellValues, KnowNothingOfNodesAboveTheGround) {
+  const Grid<2> grid(test::strip(1.0, 10));
+  std::vector<double> pressure;
+  for (std::size_t i = 0; i < grid.node_count(); ++i) {
+    const double y = grid.node(static_cast<int>(i))[1];
+    pressure.push_back(y < 0.65 ? 1e3 * y * y : -7e4);  // soil up to y = 0.6
+  }
+  std::vector<char> soil(10, 1);
+  for (std::size_t cell = 6; cell < 10; ++cell) soil[cell] = 0;
+  const std::vector<double> values = cell_values(grid, pressure.data(), soil);
+  for (std::size_t cell = 1; cell < 6; ++cell) {
+    const double y = grid.place(cell, {})[1], h = 0.1;
+    // Quadratic fields are met inside; beside the ground's surface, where gradients are one-sided, within h2/8 p''.
+    EXPECT_NEAR(values[cell], 1e3 * y * y, cell < 5 ? 1e-9 : 2e3 * h * h / 8) << cell;
+  }
 }
 
 TEST(Seeding, GaussPointsFillTheCellsExactly) {

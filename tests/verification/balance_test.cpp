@@ -1,4 +1,5 @@
 #include "verification/compare/balance.h"
+#include "verification/compare/measure_motion.h"
 #include "verification/compare/side_flux.h"
 
 #include <gtest/gtest.h>
@@ -70,6 +71,31 @@ TEST(SideFlux, AddsWhatPassedASideWhateverItsConditions) {
   EXPECT_DOUBLE_EQ(net_inflow(history, "left", 0.5), 1);
   other.mesh.dim = 1;
   EXPECT_TRUE(common_sides(history, other).empty());
+}
+
+/// What the run itself must hold: drift is told as a share of the largest form, and water after failure by itself.
+TEST(Motion, LostEnergyMomentumAndWaterShow) {
+  meshes::FieldHistory history;
+  history.ledger = {row(0, 0, 0, 0, 5), row(1, 2, 2, 0, 6), row(1, 2, 2, 0, 6), row(2, 4, 4, 0, 7.9)};
+  EXPECT_TRUE(measure_motion(history, std::numeric_limits<double>::infinity()).empty());
+  meshes::MotionRow begin, end;
+  begin.potential = 500;
+  end.potential = 100;
+  end.kinetic = 80;
+  end.stress_work = 300;
+  end.drift = -20;
+  end.impulse = {0, -50, 0};
+  end.reaction = {0, 49, 0};
+  end.momentum_drift = {0, 1, 0};
+  history.motion = {begin, end};
+  const auto found = measure_motion(history, 1);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].quantity, "water_balance");
+  EXPECT_NEAR(found[0].error, 0.1 / 4, 1e-15);  // of the rain; what was lost before failure is not charged here
+  EXPECT_EQ(found[1].quantity, "energy_balance");
+  EXPECT_NEAR(found[1].error, 20.0 / 400, 1e-15);
+  EXPECT_EQ(found[2].quantity, "momentum_balance");
+  EXPECT_NEAR(found[2].error, 1.0 / 50, 1e-15);
 }
 
 }  // namespace

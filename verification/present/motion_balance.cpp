@@ -1,5 +1,6 @@
 #include "verification/present/motion_balance.h"
 
+#include "verification/compare/measure_motion.h"
 #include "verification/present/figure_frame.h"
 
 #include <fmt/format.h>
@@ -13,27 +14,6 @@ namespace {
 using meshes::MotionRow;
 using reports::Figure;
 using reports::Table;
-
-/// What has changed hands at most: the scale that drift of energy is measured by.
-double energy_scale(const meshes::FieldHistory& history) {
-  double scale = 1e-300;
-  for (const MotionRow& row : history.motion)
-    for (const double energy : {row.kinetic, row.stress_work, row.load_work, row.resistance,
-                                row.potential - history.motion.front().potential})
-      scale = std::max(scale, std::abs(energy));
-  return scale;
-}
-
-double size(const meshes::Point& x) {
-  return std::hypot(x[0], x[1], x[2]);
-}
-
-double momentum_scale(const meshes::FieldHistory& history) {
-  double scale = 1e-300;
-  for (const MotionRow& row : history.motion)
-    scale = std::max({scale, row.motion, size(row.momentum), size(row.impulse), size(row.reaction)});
-  return scale;
-}
 
 const MotionRow& row_at(const meshes::FieldHistory& history, double time) {
   const auto after =
@@ -59,8 +39,8 @@ Table motion_table(const meshes::FieldHistory& history, const Timeline& timeline
                           fmt::format("{:.4g}", fallen), fmt::format("{:.4g}", row.stress_work),
                           fmt::format("{:.4g}", row.load_work), fmt::format("{:.4g}", row.resistance),
                           fmt::format("{:.3g}", row.drift), fmt::format("{:.2f}", 100 * row.drift / energy),
-                          fmt::format("{:.4g}", size(row.momentum)),
-                          fmt::format("{:.1e}", size(row.momentum_drift) / momentum)});
+                          fmt::format("{:.4g}", magnitude(row.momentum)),
+                          fmt::format("{:.1e}", magnitude(row.momentum_drift) / momentum)});
   }
   table.caption =
       "Per metre of thickness. Stress work is done on the soil, stored or dissipated; resistance is that of sides, "

@@ -4,6 +4,7 @@
 #include "mpm/simulation.h"
 #include "reports/write.h"
 #include "verification/compare/body_outcomes.h"
+#include "verification/compare/measure_motion.h"
 #include "verification/compare/verdict.h"
 #include "verification/compare/window.h"
 #include "verification/ledger/rerun_scene.h"
@@ -110,7 +111,8 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
         on_ground(histories.candidate, reference_mesh(prepared.scene, own_cells_over(prepared.scene), 0));
   const Timeline window = cut_at(prepared.timeline, failure);
   const Histories comparable = cut_at(histories, failure);
-  const auto measurements = measure(prepared.scene, window, comparable);
+  auto measurements = measure(prepared.scene, window, comparable);
+  for (Measurement& own : measure_motion(result.candidate.history, failure)) measurements.push_back(std::move(own));
   record.findings = judge(prepared.scene, window, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
   std::erase_if(histories.candidate.snapshots, [failure](const auto& one) { return one.time > failure; });
@@ -124,6 +126,15 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   }
   record.tables.push_back(reference_error_table(measurements));
   for (const auto& [name, solved] : result.reference->all()) record.tables.push_back(cost_table(name, solved->history));
+}
+
+/// A scene without a reference is judged by what its run itself must hold.
+void judge_alone(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+  record.findings =
+      judge(prepared.scene, prepared.timeline, measure_motion(candidate.history, failure_time(candidate.body)),
+            candidate.history.cpu_seconds);
+  record.verdict = overall(record.findings);
+  record.figures = figures_of_one(prepared.scene, candidate.history, "MPM");
 }
 
 }  // namespace
@@ -170,7 +181,7 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
   if (result.reference)
     compare_into(record, prepared, result);
   else
-    record.figures = figures_of_one(prepared.scene, result.candidate.history, "MPM");
+    judge_alone(record, prepared, result.candidate);
   if (refined) add_accuracy(record, *refined);
   add_body(record, prepared, result.candidate);
   add_candidate_tables(record, prepared, result.candidate.history);

@@ -26,6 +26,9 @@ const std::vector<Quantity>& quantities() {
       {"rain_delivered", "1", Per::run, false, "change of stored water plus outflow against rain asked less run-off"},
       {"reference_balance", "1", Per::run, false, "water balance of the reference"},
       {"overshoot", "Pa", Per::run, false, "largest pressure above the ponding limit at the surface"},
+      {"energy_balance", "1", Per::run, false,
+       "energy that a dynamically moving skeleton gains or loses unexplained, over the largest form of it"},
+      {"momentum_balance", "1", Per::run, false, "the same of momentum, over the largest of momentum and impulses"},
   };
   return all;
 }
