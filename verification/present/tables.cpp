@@ -21,6 +21,14 @@ std::string rain_text(const Rain& rain) {
   return fmt::format("on '{}', {:.4g} m/s ({:.4g} mm/h)", rain.side, intensity, intensity * 3.6e6);
 }
 
+/// How long a stage lasts; `end` counts from the start of the run [s].
+std::string stage_text(const Stage& stage, double end) {
+  std::string text = stage.lasts ? fmt::format("lasts {:.6g} s", *stage.lasts) : fmt::format("until {:.6g} s", end);
+  if (stage.event.kind == StageEvent::Kind::none) return text;
+  text += stage.lasts ? " at most" : " at the latest";
+  return text + (stage.event.kind == StageEvent::Kind::failure ? ", ends with failure" : ", ends with rest");
+}
+
 void add_soil(Table& table, const Soil& soil, const Scene& scene) {
   table.rows.push_back(
       {"soil '" + soil.name + "'", fmt::format("porosity {:g}, grains {:g} kg/m3, intrinsic permeability {:.4g} m2",
@@ -133,8 +141,7 @@ Table setup_table(const Scene& scene, const Timeline& timeline) {
   if (timeline.filling_time)
     table.rows.push_back({"filling time", fmt::format("{:.6g} s (storage deficit / rain)", *timeline.filling_time)});
   for (std::size_t i = 0; i < scene.stages.size(); ++i)
-    table.rows.push_back(
-        {"stage '" + scene.stages[i].name + "'", fmt::format("until {:.6g} s", timeline.stage_end[i])});
+    table.rows.push_back({"stage '" + scene.stages[i].name + "'", stage_text(scene.stages[i], timeline.stage_end[i])});
   table.rows.push_back({"points per cell", std::to_string(scene.mpm.points_per_cell)});
   if (scene.reference)
     table.rows.push_back({"reference", fmt::format("{} cells, tolerance {:g}; its error from cells twice and half as "
