@@ -1,6 +1,7 @@
 #include "verification/compare/body_outcomes.h"
 
 #include "verification/compare/events.h"
+#include "verification/compare/magnitude.h"
 #include "verification/compare/window.h"
 #include "verification/translate/initial_pressure.h"
 
@@ -16,10 +17,6 @@ namespace {
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 /// Points that have moved more than this part of the farthest belong to the slide.
 constexpr double sliding = 0.2;
-
-double size(const meshes::Point& x) {
-  return std::hypot(x[0], x[1], x[2]);
-}
 
 /// `share` of the values lie below it.
 double percentile(std::vector<double> values, double share) {
@@ -55,7 +52,7 @@ class Body {
       for (std::size_t k = 0; k < rider.time.size(); ++k) {
         const double moved = displacement(rider, k);
         if (moved > farthest) farthest = moved, first = &rider;
-        fastest = std::max(fastest, size(rider.velocity[k]));
+        fastest = std::max(fastest, magnitude(rider.velocity[k]));
       }
     add("largest_displacement", "largest displacement of a marker", "m", first ? farthest : never);
     add("largest_velocity", "largest velocity of a marker", "m/s", first ? fastest : never);
@@ -67,7 +64,7 @@ class Body {
   }
 
   static double displacement(const mpm::Rider& rider, std::size_t k) {
-    return size(
+    return magnitude(
         {rider.place[k][0] - rider.start[0], rider.place[k][1] - rider.start[1], rider.place[k][2] - rider.start[2]});
   }
   static double reaches(const mpm::Rider& rider, double far) {
@@ -82,7 +79,7 @@ class Body {
     const mpm::Picture* last = body_.pictures.empty() ? nullptr : &body_.pictures.back();
     const bool known = last != nullptr && !last->displacement.empty() && scene_.geometry.dim() == 2;
     if (known)
-      for (const meshes::Point& d : last->displacement) moved.push_back(size(d));
+      for (const meshes::Point& d : last->displacement) moved.push_back(magnitude(d));
     const double farthest = moved.empty() ? never : std::ranges::max(moved);
     for (std::size_t p = 0; p < moved.size(); ++p) {
       if (moved[p] < sliding * farthest) continue;

@@ -1,6 +1,7 @@
 #include "verification/compare/measure_motion.h"
 
 #include "verification/compare/balance.h"
+#include "verification/compare/magnitude.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +11,6 @@
 namespace wetfront::verification {
 
 using meshes::MotionRow;
-
-double magnitude(const meshes::Point& x) {
-  return std::hypot(x[0], x[1], x[2]);
-}
 
 double energy_scale(const meshes::FieldHistory& history) {
   double scale = 1e-300;

@@ -13,7 +13,4 @@ std::vector<Measurement> measure_motion(const meshes::FieldHistory& whole, doubl
 double energy_scale(const meshes::FieldHistory& history);
 double momentum_scale(const meshes::FieldHistory& history);
 
-/// Length of a vector.
-double magnitude(const meshes::Point& x);
-
 }  // namespace wetfront::verification

@@ -1,7 +1,5 @@
 #include "verification/present/body_figures.h"
 
-#include "verification/present/figure_frame.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,24 +48,31 @@ Series cloud_of(const std::vector<meshes::Point>& points) {
 
 }  // namespace
 
-std::vector<Figure> body_figures(const meshes::FieldHistory& history) {
-  if (history.mesh.dim != 2 || history.snapshots.empty()) return {};
-  const meshes::Snapshot& last = history.snapshots.back();
+std::vector<Figure> body_figures(const meshes::Mesh& mesh, std::span<const meshes::Snapshot* const> times,
+                                 const FigureHeading& heading) {
+  if (mesh.dim != 2 || times.empty()) return {};
+  const meshes::Snapshot& last = *times.back();
   if (last.node_displacement.empty() || last.points.position.empty()) return {};
-  Figure figure = figure_frame({"body", "The body: its upper outline in time, its points at the end", "Profiles"},
-                               {"x", "m"}, {"elevation", "m"});
-  const double width = cell_size(history.mesh);
+  Figure figure = figure_frame(heading, {"x", "m"}, {"elevation", "m"});
+  const double width = cell_size(mesh);
   constexpr int grey = 6;
   figure.series.push_back(cloud_of(last.points.position));
   figure.series.back().label = fmt::format("points, {:.6g} s", last.time);
   figure.series.back().colour = grey;
   int colour = 0;
-  for (const meshes::Snapshot& snapshot : history.snapshots) {
-    figure.series.push_back(outline_of(snapshot.points.position, width));
-    figure.series.back().label = fmt::format("{:.6g} s", snapshot.time);
+  for (const meshes::Snapshot* snapshot : times) {
+    figure.series.push_back(outline_of(snapshot->points.position, width));
+    figure.series.back().label = fmt::format("{:.6g} s", snapshot->time);
     figure.series.back().colour = colour++;
   }
   return {figure};
+}
+
+std::vector<Figure> body_figures(const meshes::FieldHistory& history) {
+  std::vector<const meshes::Snapshot*> times;
+  for (const meshes::Snapshot& snapshot : history.snapshots) times.push_back(&snapshot);
+  return body_figures(history.mesh, times,
+                      {"body", "The body: its upper outline in time, its points at the end", "Profiles"});
 }
 
 }  // namespace wetfront::verification

@@ -1,5 +1,6 @@
 #include "verification/present/motion_balance.h"
 
+#include "verification/compare/magnitude.h"
 #include "verification/compare/measure_motion.h"
 #include "verification/present/figure_frame.h"
 

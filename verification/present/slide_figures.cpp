@@ -1,5 +1,6 @@
 #include "verification/present/slide_figures.h"
 
+#include "verification/compare/magnitude.h"
 #include "verification/compare/window.h"
 #include "verification/present/body_figures.h"
 #include "verification/present/figure_frame.h"
@@ -15,10 +16,6 @@ namespace {
 
 using reports::Figure;
 using reports::Series;
-
-double size(const meshes::Point& x) {
-  return std::hypot(x[0], x[1], x[2]);
-}
 
 /// 1, 2 or 5 times a power of ten, at least the value.
 double rounded_up(double value) {
@@ -48,7 +45,7 @@ Figure still(const Scene& scene, const mpm::Picture& picture) {
                    {"x", "m"}, {"elevation", "m"});
   const auto& places = picture.snapshot.points.position;
   double farthest = 1e-300;
-  for (const meshes::Point& d : picture.displacement) farthest = std::max(farthest, size(d));
+  for (const meshes::Point& d : picture.displacement) farthest = std::max(farthest, magnitude(d));
   const double whole = rounded_up(farthest);
   constexpr std::array<double, 5> bounds = {0.02, 0.1, 0.25, 0.5, 1};
   constexpr std::array<int, 5> colours = {6, 5, 2, 4, 1};
@@ -61,7 +58,7 @@ Figure still(const Scene& scene, const mpm::Picture& picture) {
     series.label = fmt::format("moved {:.3g} to {:.3g} {}", std::max(0.0, below) / unit, bounds[k] * whole / unit,
                                unit < 1 ? "mm" : "m");
     for (std::size_t p = 0; p < picture.displacement.size(); ++p) {
-      const double moved = size(picture.displacement[p]);
+      const double moved = magnitude(picture.displacement[p]);
       if (moved <= below || moved > bounds[k] * whole) continue;
       series.x.push_back(places[p][0]);
       series.y.push_back(places[p][1]);
@@ -91,8 +88,8 @@ std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
       if (rider.time[k] < begin) continue;
       d.x.push_back(rider.time[k] - begin);
       v.x.push_back(rider.time[k] - begin);
-      d.y.push_back(size({rider.place[k][0] - rider.start[0], rider.place[k][1] - rider.start[1], 0}));
-      v.y.push_back(size(rider.velocity[k]));
+      d.y.push_back(magnitude({rider.place[k][0] - rider.start[0], rider.place[k][1] - rider.start[1], 0}));
+      v.y.push_back(magnitude(rider.velocity[k]));
     }
     if (d.x.size() < 2) continue;
     far.series.push_back(std::move(d));
@@ -116,15 +113,12 @@ std::vector<Figure> slide_figures(const Scene& scene, const meshes::FieldHistory
   for (const mpm::Picture& picture : body.pictures)
     if (!picture.of.empty() && !picture.displacement.empty()) all.push_back(still(scene, picture));
   if (!all.empty()) {
-    meshes::FieldHistory slide;
-    slide.mesh = history.mesh;
-    for (const mpm::Picture& picture : body.pictures) slide.snapshots.push_back(picture.snapshot);
-    for (Figure& outline : body_figures(slide)) {
-      outline.id = "slide_outline";
-      outline.title = "The slide: its upper outline in time, its points at the end";
-      outline.section = "The slide";
+    std::vector<const meshes::Snapshot*> times;
+    for (const mpm::Picture& picture : body.pictures) times.push_back(&picture.snapshot);
+    for (Figure& outline :
+         body_figures(history.mesh, times,
+                      {"slide_outline", "The slide: its upper outline in time, its points at the end", "The slide"}))
       all.push_back(std::move(outline));
-    }
   }
   for (Figure& markers : of_markers(body)) all.push_back(std::move(markers));
   return all;
@@ -147,7 +141,7 @@ reports::Table outcome_table(const std::vector<Outcome>& outcomes) {
 reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& outcomes) {
   reports::Table table{"What is known and what came out",
                        "The slide",
-                       "Not gated: nothing here was fitted to the measurement.",
+                       "Not gated.",
                        {"quantity", "measured", "published simulation", "here", "remark"},
                        {}};
   for (const Observation& known : scene.observations) {
