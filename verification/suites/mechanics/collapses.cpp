@@ -1,9 +1,8 @@
 #include "verification/exact/granular_collapse.h"
-#include "verification/present/figure_frame.h"
 #include "verification/suites/mechanics/families.h"
 #include "verification/suites/mechanics/motion_book.h"
 #include "verification/suites/mechanics/motion_setups.h"
-#include "verification/suites/series.h"
+#include "verification/suites/mechanics/shape_of.h"
 
 #include <fmt/format.h>
 
@@ -106,18 +105,7 @@ double mean_slope(const Cloud<2>& cloud, double cell, double edge) {
   return (high - low) / (last - first);
 }
 
-reports::Figure shape_of(const Motion<2>& motion) {
-  auto figure = figure_frame({"shape", "Material points", "Shape"}, {"x", "m"}, {"y", "m"});
-  const std::size_t last = motion.clouds.size() - 1;
-  for (const std::size_t i : {std::size_t{1}, last / 4, last}) {
-    auto dots = points(fmt::format("{:.3g} s", motion.clouds[i].time));
-    for (const auto& x : motion.clouds[i].position) put(dots, x[0], x[1]);
-    figure.series.push_back(dots);
-  }
-  return figure;
-}
-
-/// What holds for any of them: it has come to rest, inside of its mesh, and no energy has appeared.
+/// What holds for any of them: it has come to rest, inside of its mesh.
 void judge_end(const Column& column, const Motion<2>& motion, const Extent& end, MotionBook& book) {
   const auto& last = motion.clouds.back();
   const double energy = 0.5 * last.total_mass() * gravity * column.height;
@@ -135,7 +123,8 @@ void judge_end(const Column& column, const Motion<2>& motion, const Extent& end,
   book.page.show("energy", "work of stress, over the same", balance.stress_work / energy, "1");
   book.page.show("run_out", "run-out over width of 99 % of the mass", end.most / column.width - 1, "1");
   book.page.show("run_out", "run-out over width of the farthest point", end.farthest / column.width - 1, "1");
-  book.page.draw(shape_of(motion));
+  const std::size_t end_of_run = motion.clouds.size() - 1;
+  book.page.draw(shape_of(motion, {1, end_of_run / 4, end_of_run}));
 }
 
 void collapse(double aspect, int cells, MotionBook& book) {
@@ -160,7 +149,7 @@ void collapse_3d(MotionBook& book) {
   book.page.expect("run_out", "run-out over width, a = 2, three dimensions", deep.edge / column.width - 1, run_out,
                    {0.15, "1", "the issue's; the law's own scatter is of that size"});
   book.page.expect("plane", "the same against the run in plane strain", deep.edge / column.width - 1,
-                   flat.edge / column.width - 1, {0.06, "1", "half a cell of 2.2 widths, to which a front is known"});
+                   flat.edge / column.width - 1, {0.06, "1", "a cell of 2.2 widths, to which a front is known"});
   book.page.judge("room", "length of the mesh that a point has used", deep.farthest / (column.room * column.width),
                   {0.99, "1", "a body that meets the end of its mesh is held there"});
 }

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace wetfront::verification {
 namespace {
 
@@ -52,7 +54,10 @@ void work(const ManufacturedMotion& motion, const std::vector<int>& ladder, Moti
     }
     figure.series.push_back(curve);
   }
-  const auto &linear = figure.series[0], &splines = figure.series[5];
+  const auto curve_of = [&figure](const char* label) -> const reports::Series& {
+    return *std::ranges::find(figure.series, label, &reports::Series::label);
+  };
+  const auto &linear = curve_of("linear, FLIP"), &splines = curve_of("splines, APIC");
   book.page.judge(
       "best",
       fmt::format("error of splines (APIC) over that of plain linear cells (FLIP), both on {} cells", ladder.back()),

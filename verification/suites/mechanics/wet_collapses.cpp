@@ -1,11 +1,8 @@
-#include "verification/present/figure_frame.h"
 #include "verification/suites/mechanics/families.h"
 #include "verification/suites/mechanics/motion_book.h"
 #include "verification/suites/mechanics/motion_setups.h"
+#include "verification/suites/mechanics/shape_of.h"
 #include "verification/suites/mechanics/wet_setups.h"
-#include "verification/suites/series.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +24,6 @@ mpm::Problem<2> saturated_column(int cells, double end) {
   problem.mesh = rectangle_mesh(along * h, over * h, along, over);
   problem.soils[0].law = mpm::MohrCoulomb{30 * degree, 0, 0, 0, "suite"};
   problem.gravity[1] = -gravity;
-  problem.gravity_origin = "suite";
   problem.skeleton_boundary.clear();
   problem.fixities = {{"left", {true, false, false}, "suite"}, {"base", {true, true, false}, "suite"}};
   problem.water_boundary.clear();  // nothing passes its surface
@@ -60,13 +56,7 @@ void fall(MotionBook& book) {
   book.page.judge("rest", "kinetic energy at the end over the potential energy at the start",
                   cloud.kinetic_energy() / (0.5 * cloud.total_mass() * gravity * height),
                   {0.01, "1", "flow has ceased but for what still drains"});
-  auto figure = figure_frame({"shape", "Material points", "Shape"}, {"x", "m"}, {"y", "m"});
-  for (const std::size_t i : {std::size_t{0}, motion.clouds.size() / 3, motion.clouds.size() - 1}) {
-    auto dots = points(fmt::format("{:.3g} s", motion.clouds[i].time));
-    for (const auto& x : motion.clouds[i].position) put(dots, x[0], x[1]);
-    figure.series.push_back(dots);
-  }
-  book.page.draw(figure);
+  book.page.draw(shape_of(motion, {0, motion.clouds.size() / 3, motion.clouds.size() - 1}));
 }
 
 constexpr double kink = 2.5, thick = 0.6, slope_width = 7.5;
@@ -92,7 +82,6 @@ mpm::Problem<2> wet_slope(int columns, double end) {
   problem.mesh = slope_mesh(columns, over * 9 / 4, thick * 9 / 4);
   problem.soils[0].law = mpm::MohrCoulomb{34 * degree, 0, 0, {}, "suite"};
   problem.gravity[1] = -gravity;
-  problem.gravity_origin = "suite";
   problem.fixities = {{"left", {true, false, false}, "suite"}, {"right", {true, false, false}, "suite"}};
   problem.skeleton_boundary = {mpm::FrictionalContact{"base", std::tan(20 * degree), "suite"}};
   problem.water_boundary = {mpm::RainSide{mpm::free_surface, {{0}, {3e-5}}, "suite"}};
@@ -106,7 +95,7 @@ mpm::Problem<2> wet_slope(int columns, double end) {
 }
 
 void slide(MotionBook& book) {
-  const auto motion = book.move<2>("30 x 4 cells", wet_slope(30, 3));
+  const auto motion = book.move<2>("18 x 4 cells in a mesh of 30 x 9", wet_slope(30, 3));
   const auto &first = motion.history.ledger.front(), &last = motion.history.ledger.back();
   book.page.judge("water", "water stored less what it was, with what rained in and seeped out, relative",
                   std::abs(last.stored + last.outflow - last.infiltrated - first.stored) / first.stored,
@@ -131,13 +120,7 @@ void slide(MotionBook& book) {
                     return motion.history.motion.back().kinetic / largest;
                   }(),
                   {0.01, "1", "it has come to rest in front of the wall"});
-  auto figure = figure_frame({"shape", "Material points", "Shape"}, {"x", "m"}, {"y", "m"});
-  for (const std::size_t i : {std::size_t{0}, motion.clouds.size() / 3, motion.clouds.size() - 1}) {
-    auto dots = points(fmt::format("{:.3g} s", motion.clouds[i].time));
-    for (const auto& x : motion.clouds[i].position) put(dots, x[0], x[1]);
-    figure.series.push_back(dots);
-  }
-  book.page.draw(figure);
+  book.page.draw(shape_of(motion, {0, motion.clouds.size() / 3, motion.clouds.size() - 1}));
 }
 
 }  // namespace
