@@ -1,8 +1,8 @@
 #include "mpm/laws/linear_elastic.h"
 #include "mpm/plan.h"
+#include "tests/mpm/continuation.h"
 #include "tests/mpm/two_velocity_scenes.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 /// The two-velocity pore liquid in an elastic skeleton.
@@ -105,12 +105,7 @@ TEST(TwoVelocityElastic, BouncingDryColumnKeepsItsWater) {
 
 TEST(TwoVelocityElastic, CutAndContinueGivesTheSameBits) {
   const Problem<2> problem = with_elastic_skeleton(with_two_velocities(seed_column(5, 0.087, 1e-4, 0.1)));
-  Simulation<2> whole(problem);
-  while (whole.time() < 0.04) whole.step();
-  Simulation<2> continued(problem, whole.state());
-  for (Simulation<2>* simulation : {&whole, &continued})
-    while (!simulation->finished()) simulation->step();
-  EXPECT_EQ(whole.state().fields, continued.state().fields);
+  expect_continuation_at(problem, 0.04);
 }
 
 TEST(TwoVelocityElastic, PlansDifferWithWhatTheSceneHolds) {

@@ -1,7 +1,7 @@
 #include "mpm/two_velocity/content_table.h"
+#include "tests/mpm/continuation.h"
 #include "tests/mpm/two_velocity_coupled_scenes.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 /// The two-velocity liquid in bodies that move through cells.
@@ -24,7 +24,8 @@ TEST(TabulatedContent, InvertsItselfAndFollowsTheClosedLaw) {
 }
 
 class CoupledLimit : public testing::TestWithParam<LiquidScheme> {};
-/// At the formula itself nothing grows; 1.4 times it the saturated bodies of squares and parallelograms do, whatever the drag.
+/// At the formula itself nothing grows; 1.4 times it the saturated bodies of squares and parallelograms do, whatever
+/// the drag.
 TEST_P(CoupledLimit, StableBelowAndNotAbove) {
   for (const Body& body : bodies())
     for (const CoupledCondition& condition : coupled_conditions) {
@@ -176,12 +177,7 @@ TEST(MovingBody, CutAndContinueGivesTheSameBitsWhilePointsCrossCells) {
   problem.gravity = {0, -9.81};
   problem.stages[0].end_time = 0.02;
   problem.output_times = {0.02};
-  Simulation<2> whole(problem);
-  while (whole.time() < 0.0111) whole.step();
-  Simulation<2> continued(problem, whole.state());
-  for (Simulation<2>* simulation : {&whole, &continued})
-    while (!simulation->finished()) simulation->step();
-  EXPECT_EQ(whole.state().fields, continued.state().fields);
+  expect_continuation_at(problem, 0.0111);
 }
 
 /// Water as stiff as it is, soil as tight as clay, its weight put on at once: pressures of the cells bear it smoothly,
