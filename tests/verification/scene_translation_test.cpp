@@ -141,6 +141,19 @@ TEST(Translate, AFieldOfConductivitiesReachesTheCells) {
   }
 }
 
+TEST(Translate, AWaterTableMayFollowTheBase) {
+  const Scene scene = read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) /
+                                 "verification/cases/moriwaki_flume/start_over_base.toml");
+  const meshes::Mesh mesh = mpm_mesh(scene);
+  const std::vector<double> p = initial_pressure(scene, mesh);
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    const double x = mesh.nodes[i][0], y = mesh.nodes[i][1];  // the base rises by 30 degrees from (11.90885, 1.04189)
+    if (x < 12 || x > 20) continue;
+    const double over = y - 1.04189 - (x - 11.90885) * std::tan(std::acos(-1.0) / 6);
+    EXPECT_NEAR(p[i], std::max(-1000 * 9.81 * over, -1e4), 0.2) << x << " " << y;
+  }
+}
+
 TEST(Translate, APressurePerSoilIsTheirMeanBetweenThem) {
   Scene scene = case_scene("two_layer_column");
   scene.initial->pressure = SoilStart{{{"upper", -1000}, {"lower", -3000}}};

@@ -3,6 +3,7 @@
 #include "mpm/plan.h"
 #include "mpm/simulation.h"
 #include "reports/write.h"
+#include "verification/compare/balance.h"
 #include "verification/compare/body_outcomes.h"
 #include "verification/compare/measure_motion.h"
 #include "verification/compare/verdict.h"
@@ -130,11 +131,23 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
 
 /// A scene without a reference is judged by what its run itself must hold.
 void judge_alone(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
-  record.findings =
-      judge(prepared.scene, prepared.timeline, measure_motion(candidate.history, failure_time(candidate.body)),
-            candidate.history.cpu_seconds);
+  const meshes::FieldHistory& history = candidate.history;
+  const double failure = failure_time(candidate.body);
+  auto measurements = measure_motion(history, failure);
+  if (history.ledger.size() > 1) {
+    meshes::FieldHistory before = history;
+    cut_at(before, failure);
+    measurements.push_back({"water_balance",
+                            "water balance",
+                            -1,
+                            "",
+                            imbalance(before.ledger, cut_at(prepared.timeline, failure).stage_end),
+                            {},
+                            ""});
+  }
+  record.findings = judge(prepared.scene, prepared.timeline, measurements, history.cpu_seconds);
   record.verdict = overall(record.findings);
-  record.figures = figures_of_one(prepared.scene, candidate.history, "MPM");
+  record.figures = figures_of_one(prepared.scene, history, "MPM");
 }
 
 }  // namespace

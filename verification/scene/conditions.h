@@ -18,8 +18,10 @@ namespace wetfront::verification {
 
 /// Hydrostatic above and below a water table, suction capped.
 struct HydrostaticStart {
-  double water_table;  ///< elevation, m
+  double water_table;  ///< elevation, or height above the base, m
   double suction_cap;  ///< Pa; infinity: none
+  /// The water table runs parallel to the lower end of the ground, that high above it; else it is level.
+  bool over_base = false;
 };
 struct UniformStart {
   double pressure;  ///< Pa

@@ -21,14 +21,15 @@ const std::vector<Quantity>& quantities() {
       {"filling_time", "1", Per::run, true, "when the soil is full, against storage deficit over rain"},
       {"arrival_time", "1", Per::probe, false, "when the pressure at a probe exceeds 0.2 kPa"},
       {"rise_rate", "1", Per::probe, false, "secant slope of the pressure at a probe between 0.2 and 4.9 kPa"},
-      {"water_balance", "1", Per::run, false, "stored water against what went in and out, nodal sums"},
+      {"water_balance", "1", Per::run, false, "stored water against what went in and out, nodal sums", true},
       {"rain_asked", "1", Per::run, false, "the solver's own record of the rain against the scene's"},
       {"rain_delivered", "1", Per::run, false, "change of stored water plus outflow against rain asked less run-off"},
       {"reference_balance", "1", Per::run, false, "water balance of the reference"},
       {"overshoot", "Pa", Per::run, false, "largest pressure above the ponding limit at the surface"},
       {"energy_balance", "1", Per::run, false,
-       "energy that a dynamically moving skeleton gains or loses unexplained, over the largest form of it"},
-      {"momentum_balance", "1", Per::run, false, "the same of momentum, over the largest of momentum and impulses"},
+       "energy that a dynamically moving skeleton gains or loses unexplained, over the largest form of it", true},
+      {"momentum_balance", "1", Per::run, false, "the same of momentum, over the largest of momentum and impulses",
+       true},
   };
   return all;
 }

@@ -13,6 +13,7 @@ struct Quantity {
   Per per;
   bool needs_filling_time;
   std::string meaning;
+  bool own = false;  ///< of the run alone: can be gated without a reference
 };
 
 const std::vector<Quantity>& quantities();

@@ -132,9 +132,6 @@ void check_probe(SectionReader& reader, const Tolerance& gate, const Quantity& q
 
 void read_tolerance(SectionReader& reader, Reading& reading) {
   Scene& scene = reading.scene;
-  if (!reading.has_reference())
-    reader.complain_at(reader.place(), {"this gate is not used", "without [reference] nothing is compared",
-                                        "Remove it, or add [reference]."});
   Tolerance gate;
   gate.quantity = reader.choice("quantity");
   gate.at = reader.time("at");
@@ -142,6 +139,9 @@ void read_tolerance(SectionReader& reader, Reading& reading) {
   gate.reason = reader.text("reason");
   gate.origin = reader.origin();
   const Quantity* quantity = find_quantity(gate.quantity);
+  if (!reading.has_reference() && quantity != nullptr && !quantity->own)
+    reader.complain_at(reader.place(), {"this gate is not used", "without [reference] nothing is compared",
+                                        "Remove it, or add [reference]."});
   gate.value = read_value(reader, quantity);
   if (quantity) {
     check_time(reader, gate, *quantity, reading);

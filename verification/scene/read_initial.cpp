@@ -148,7 +148,13 @@ void need_reference(SectionReader& section, const std::string& key, const Readin
 /// Which of the ways to say it the scene takes.
 void read_state(SectionReader& section, Reading& reading, InitialState& state) {
   if (auto table = section.table("hydrostatic")) {
-    state.pressure = read_hydrostatic(*table);
+    HydrostaticStart start = read_hydrostatic(*table);
+    start.over_base = table->choice("from") == "base";
+    const Shape& shape = reading.scene.geometry.shape;
+    if (start.over_base && !std::holds_alternative<GroundProfile>(shape) && !std::holds_alternative<Slope>(shape))
+      table->complain("from", {"the water table follows the base", "only a profile and a slope have one to follow",
+                               "Leave from out and give the elevation."});
+    state.pressure = start;
     table->finish();
   }
   if (section.has("uniform")) state.pressure = UniformStart{section.quantity("uniform")};
