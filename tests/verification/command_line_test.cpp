@@ -1,48 +1,25 @@
 // The program as a user meets it: exit codes, messages, files.
+#include "tests/verification/program.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+namespace wetfront::verification {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Output;
 using testing::HasSubstr;
 
 const std::string cases = WETFRONT_SOURCE_DIR "/verification/cases/";
 
-struct Output {
-  int code;
-  std::string text;  ///< stdout and stderr
-};
-
-/// A fresh folder for each test.
-class CommandLine : public testing::Test {
+class CommandLine : public test::Program {
  protected:
-  void SetUp() override {
-    folder = fs::path(testing::TempDir()) / ("wetfront_cli_" + std::to_string(getpid()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  Output wetfront(const std::string& arguments) const {
-    const std::string command = "cd " + folder.string() + " && " WETFRONT_PROGRAM " " + arguments + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string text;
-    std::array<char, 4096> buffer;
-    while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), size);
-    return {WEXITSTATUS(pclose(pipe)), text};
-  }
-
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
   static std::string read(const fs::path& path) {
     std::ifstream in(path);
@@ -50,8 +27,6 @@ class CommandLine : public testing::Test {
     text << in.rdbuf();
     return text.str();
   }
-
-  fs::path folder;
 };
 
 TEST_F(CommandLine, RunLeavesReportResultFieldsAndTheScene) {
@@ -170,3 +145,4 @@ TEST_F(CommandLine, HelpListsTheCommandsAndExitCodes) {
 }
 
 }  // namespace
+}  // namespace wetfront::verification

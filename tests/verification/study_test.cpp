@@ -1,5 +1,6 @@
 // Studies as a user meets them: points side by side, a killed study resumed without computing finished points again,
 // job arrays, and the choice of a setting by a stored study of accuracy.
+#include "tests/verification/program.h"
 #include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
 #include "verification/study/effects.h"
@@ -13,12 +14,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
-#include <fstream>
 #include <map>
 #include <thread>
 
@@ -26,32 +24,13 @@ namespace wetfront::verification {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Output;
 using testing::HasSubstr;
-using testing::Not;
 
 const std::string seed = WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_3e-5_smin0.87.toml";
 
-struct Output {
-  int code;
-  std::string text;
-};
-
-class Study : public testing::Test {
+class Study : public test::Program {
  protected:
-  void SetUp() override {
-    folder = fs::path(testing::TempDir()) / ("wetfront_study_" + std::to_string(getpid()));
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  Output wetfront(const std::string& arguments) const {
-    FILE* pipe = popen(("cd " + folder.string() + " && " WETFRONT_PROGRAM " " + arguments + " 2>&1").c_str(), "r");
-    std::string text;
-    std::array<char, 4096> buffer;
-    while (const std::size_t size = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), size);
-    return {WEXITSTATUS(pclose(pipe)), text};
-  }
   /// Times at which points were finished, by folder.
   std::map<std::string, fs::file_time_type> finished(const fs::path& study) const {
     std::map<std::string, fs::file_time_type> times;
@@ -60,8 +39,6 @@ class Study : public testing::Test {
         times[entry.path().filename()] = fs::last_write_time(entry.path() / "point.json");
     return times;
   }
-
-  fs::path folder;
 };
 
 const std::string vary = "study vary " + seed + " --set rain.intensity=2e-5,3e-5,4e-5 --out study --jobs 1";
