@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/plan.h"
 #include "mpm/simulation.h"
 #include "tests/mpm/sheared_sand.h"
 
@@ -77,6 +78,13 @@ inline void run_steps(benchmark::State& bench, const Problem<2>& problem, bool m
       if (other.kernel == kernel.kernel && other.phase == kernel.phase) earlier = other.cpu_seconds;
     bench.counters["ns_" + kernel.kernel] = 1e9 * (kernel.cpu_seconds - earlier) / (steps * count);
   }
+}
+
+/// Everything that a step does: kernels, migration, step limits, guard, record. Mixed points.
+inline void step(benchmark::State& bench, const Problem<2>& problem) {
+  const PlanInfo info = plan(problem).at(0);
+  run_steps(bench, problem, true, 20);
+  bench.counters["bytes_per_point"] = static_cast<double>(info.point_bytes) / static_cast<double>(info.points);
 }
 
 }  // namespace wetfront::mpm::bench
