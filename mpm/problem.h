@@ -369,9 +369,10 @@ enum class StageEnd {
   failure,  ///< quasi-static: the skeleton finds no equilibrium any more; the last one is restored
   rest,     ///< dynamic: the body has come to rest
 };
-/// A skeleton has failed when, with the step of the liquid shrunk to `shortest_step`, a node has moved by more than
-/// `displacement` since the step began, or a relaxation ends (at Relaxation::most_iterations, which grows with length
-/// over cell size) with more than `unbalanced_ratio` out of balance. One that ends there with less has only stalled.
+/// A skeleton has failed when, with the step of the liquid shrunk to `shortest_step`, a twentieth of its nodes have
+/// moved by more than `displacement` since the step began (one node, a corner with a sliver of soil, says nothing), or
+/// a relaxation ends (at Relaxation::most_iterations, which grows with length over cell size) with more than
+/// `unbalanced_ratio` out of balance. One that ends there with less has only stalled.
 struct FailureCriterion {
   double displacement = 0.02;      ///< m
   double unbalanced_ratio = 5e-3;  ///< -

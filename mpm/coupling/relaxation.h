@@ -44,7 +44,9 @@ class Relaxer {
   void move_by_cycle();
   [[noreturn]] void give_up(const Outcome& outcome) const;
   void look_for_failure(Outcome& outcome) const;
+  /// How far the farthest node has moved, and how far 5 % of the nodes at least [m].
   double moved(const std::vector<double>& since) const;
+  double slid(const std::vector<double>& since) const;
 
   StagePlan<dim>& plan_;
   std::shared_ptr<SkeletonCycle<dim>> cycle_;

@@ -1,7 +1,9 @@
 #include "mpm/coupling/true_time.h"
 
 #include "mpm/grid/cell_integrals.h"
+#include "mpm/grid/column_vector.h"
 #include "mpm/laws/linear_elastic.h"
+#include "mpm/record/brought_by_water.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +46,9 @@ void TrueTimeMotion<dim>::join_own() {
   grains_ = &plan.provide_on_points({"grain mass", "m_s", dim == 2 ? "kg/m" : "kg"});
   carried_ = std::make_unique<CarriedWater<dim>>(plan, c_, *water_->trial, *contents_, "grain mass");
   water_of_points_ = &plan.require_on_points("water");
+  position_ = &plan.require_on_points("position");
+  velocity_ = &plan.require_on_points("velocity");
+  brought_ = &plan.provide_on_run(brought_by_water(dim));
   for (std::size_t cell = 0; cell < plan.fields.grid.cell_count(); ++cell) {
     cells_.push_back({{}, mean_gradients(plan.fields.grid, cell)});
     cells_.back().share.fill(1.0 / cell_nodes<dim>);
@@ -102,8 +107,14 @@ template <int dim>
 void TrueTimeMotion<dim>::weigh_points() {
   const double density = plan_->problem.water->density;
   for (const Block& block : plan_->fields.points.blocks())
-    for (std::size_t q = block.first; q < block.first + block.count; ++q)
-      (*mass_)[0][q] = (*grains_)[0][q] + density * (*water_of_points_)[0][q];
+    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
+      const double mass = (*grains_)[0][q] + density * (*water_of_points_)[0][q], gained = mass - (*mass_)[0][q];
+      const Vector<dim> v = at<dim>(*velocity_, q);
+      const double fallen = dot<dim>(plan_->problem.gravity, at<dim>(*position_, q));
+      (*brought_)[0][0] += gained * (0.5 * dot<dim>(v, v) - fallen);
+      for (int a = 0; a < dim; ++a) (*brought_)[1 + a][0] += gained * v[a];
+      (*mass_)[0][q] = mass;
+    }
 }
 
 /// h/c over the cells, c^2 = (E_oed + what the water adds)/density: full pores add (K_l/n), others what their curve

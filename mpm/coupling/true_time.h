@@ -41,7 +41,8 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
       SkeletonOfFlow<dim>::cycle_, SkeletonOfFlow<dim>::fresh_, SkeletonOfFlow<dim>::plan_, SkeletonOfFlow<dim>::value_,
       SkeletonOfFlow<dim>::volume_, SkeletonOfFlow<dim>::water_, SkeletonOfFlow<dim>::refresh_geometry,
       SkeletonOfFlow<dim>::press_points;
-  Column *mass_ = nullptr, *grains_ = nullptr, *force_ = nullptr, *water_of_points_ = nullptr;
+  Column *mass_ = nullptr, *grains_ = nullptr, *force_ = nullptr, *water_of_points_ = nullptr, *brought_ = nullptr;
+  const Column *position_ = nullptr, *velocity_ = nullptr;
   std::vector<Cell> cells_;
   std::vector<double> block_volume_;                ///< of the blocks, before they move [m^dim]
   std::vector<std::vector<double>> pores_, grown_;  ///< nodes, per region [m^dim]

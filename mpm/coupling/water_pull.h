@@ -22,6 +22,15 @@ class WaterPull : public NodalCondition<dim> {
   void add_force() override;
 
  private:
+  /// What one cell's points give to its nodes.
+  struct CellPull {
+    std::array<Vector<dim>, cell_nodes<dim>> push{};  ///< N (N/m)
+    std::array<double, cell_nodes<dim>> water{};      ///< m^dim
+  };
+  bool averaged() const;
+  CellPull in_affine(const Block& block) const;
+  CellPull in_any(const Block& block) const;
+
   StagePlan<dim>& plan_;
   Column& force_;
   const Column &volume_, &pore_stress_, &water_;

@@ -1,6 +1,7 @@
 #include "mpm/record/motion_ledger.h"
 
 #include "mpm/grid/point_sums.h"
+#include "mpm/record/brought_by_water.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +49,13 @@ void MotionLedger<dim>::join(StagePlan<dim>& plan) {
   inner_ = &plan.provide_on_nodes({"force of stress", "f_int", force, dim, Lifetime::step});
   loaded_ = &plan.provide_on_nodes({"force with loads", "f", force, dim, Lifetime::step});
   sums_ = &plan.provide_on_run({"motion ledger", "W, I", "J, N s", count});
+  brought_ = plan.fields.run.find(brought_by_water(dim).name);
   cycle_->conditions.insert(cycle_->conditions.begin(), std::make_unique<First>(*this));
   cycle_->conditions.push_back(std::make_unique<Last>(*this));
   // Each dynamic stage has a ledger of its own: a relaxation before it has no time and no momentum.
   plan.at_begin([this] {
     sums_->fill(0);
+    if (brought_ != nullptr) brought_->fill(0);
     const Vector<dim> start = momentum();
     for (int a = 0; a < dim; ++a) (*sums_)[first + a][0] = start[a];
     (*sums_)[first_energy][0] = kinetic_energy(plan_->fields.points, *mass_, *velocity_) + potential_energy();
@@ -157,6 +160,11 @@ double MotionLedger<dim>::potential_energy() const {
 }
 
 template <int dim>
+double MotionLedger<dim>::brought(int entry) const {
+  return brought_ == nullptr ? 0 : (*brought_)[entry][0];
+}
+
+template <int dim>
 void MotionLedger<dim>::record(double time, meshes::FieldHistory& history) const {
   const Column& sums = *sums_;
   meshes::MotionRow row;
@@ -165,7 +173,7 @@ void MotionLedger<dim>::record(double time, meshes::FieldHistory& history) const
   row.stress_work = sums[stress_work][0];
   row.load_work = sums[load_work][0];
   row.resistance = sums[resistance][0];
-  const double potential = potential_energy();
+  const double potential = potential_energy() - brought(0);
   row.drift = row.kinetic + potential + row.stress_work - row.load_work - row.resistance - sums[first_energy][0];
   row.potential = potential;
   row.motion = motion();
@@ -175,7 +183,7 @@ void MotionLedger<dim>::record(double time, meshes::FieldHistory& history) const
     row.momentum[k] = now[a];
     row.impulse[k] = sums[impulse + a][0];
     row.reaction[k] = sums[reaction + a][0];
-    row.momentum_drift[k] = now[a] - sums[first + a][0] - row.impulse[k] - row.reaction[k];
+    row.momentum_drift[k] = now[a] - sums[first + a][0] - row.impulse[k] - row.reaction[k] - brought(1 + a);
   }
   history.motion.push_back(row);
 }

@@ -51,12 +51,14 @@ class MotionLedger : public Effect<dim> {
   Vector<dim> momentum() const;
   double motion() const;
   double potential_energy() const;
+  double brought(int entry) const;
 
   StagePlan<dim>* plan_ = nullptr;
   std::shared_ptr<SkeletonCycle<dim>> cycle_;
   const Column *mass_ = nullptr, *position_ = nullptr, *velocity_ = nullptr;  // points
   const Column *node_mass_ = nullptr, *force_ = nullptr, *node_velocity_ = nullptr, *acceleration_ = nullptr;
   Column *inner_ = nullptr, *loaded_ = nullptr, *sums_ = nullptr;
+  Column* brought_ = nullptr;  ///< brought_by_water.h; nullptr where the mass of points stays
 };
 
 }  // namespace wetfront::mpm

@@ -1,4 +1,5 @@
 // Stencils on skewed cells, places and cells, seeding.
+#include "mpm/grid/cell_moments.h"
 #include "mpm/grid/cell_values.h"
 #include "mpm/grid/seeding.h"
 #include "tests/mpm/strip.h"
@@ -84,6 +85,35 @@ TEST(Grid, FindsCellsFromNearAndFar) {
   EXPECT_EQ(grid.find_cell({0.01, 1.19}, 0), 39);
   EXPECT_EQ(grid.find_cell({0.01, 1.21}, 39), -1);
   EXPECT_NEAR(grid.smallest_altitude(7), 0.03, 1e-14);
+}
+
+template <int dim>
+void expect_moments_of_stencils() {
+  const std::array<Vector<dim>, 3> places = {Vector<dim>{0.3, -0.8}, Vector<dim>{-0.9, 0.1}, Vector<dim>{0.5, 0.6}};
+  const std::array<double, 3> weight = {2, -0.7, 1.3};
+  CellMoments<dim> moments;
+  std::array<double, cell_nodes<dim>> value{};
+  std::array<Vector<dim>, cell_nodes<dim>> slope{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector<dim> xi = places[k];
+    if (dim == 3) xi[dim - 1] = 0.4 - 0.3 * static_cast<double>(k);
+    moments.add(xi, weight[k]);
+    Stencil<dim> s;
+    reference_stencil<dim>(xi, s);
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      value[i] += weight[k] * s.value[i];
+      for (int a = 0; a < dim; ++a) slope[i][a] += weight[k] * s.gradient[i][a];
+    }
+  }
+  for (int i = 0; i < cell_nodes<dim>; ++i) {
+    EXPECT_NEAR(moments.value(i), value[i], 1e-15) << i;
+    for (int a = 0; a < dim; ++a) EXPECT_NEAR(moments.slope(i)[a], slope[i][a], 1e-15) << i << a;
+  }
+}
+
+TEST(CellMoments, GiveTheSumsOfEveryPointsStencil) {
+  expect_moments_of_stencils<2>();
+  expect_moments_of_stencils<3>();
 }
 
 TEST(CellValues, KnowNothingOfNodesAboveTheGround) {

@@ -124,6 +124,9 @@ int main(int argc, char** argv) {
   run->add_option("--out", arguments.out, "output folder (default out/<scene>; with several scenes the folder above)");
 
   run->add_flag("--resume", arguments.resume, "go on from the checkpoint that a stopped run has left in its folder");
+  run->add_option("--checkpoint", run_request.options.checkpoint_every,
+                  "seconds of wall time between the states that --resume can go on from (default 60)")
+      ->check(CLI::NonNegativeNumber);
   run->add_option(
       "--accuracy", arguments.accuracy,
       "the cheapest setting of a stored study of accuracy whose error is within this, e.g. 1%; without a study, "

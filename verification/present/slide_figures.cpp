@@ -101,7 +101,7 @@ std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
 
 std::string number(const Outcome& outcome) {
   if (std::isnan(outcome.value)) return "-";
-  return fmt::format("{:.4g}{}", outcome.value, outcome.unit == "-" ? "" : " " + outcome.unit);
+  return fmt::format("{:.5g}{}", outcome.value, outcome.unit == "-" ? "" : " " + outcome.unit);
 }
 
 }  // namespace
@@ -134,7 +134,9 @@ reports::Table stage_table(const mpm::BodyRecord& body) {
 
 reports::Table outcome_table(const std::vector<Outcome>& outcomes) {
   reports::Table table{"What came out", "The slide", "", {"quantity", "what", "value"}, {}};
-  for (const Outcome& one : outcomes) table.rows.push_back({one.name, one.description, number(one)});
+  for (const Outcome& one : outcomes)
+    if (!(one.name.starts_with("interval:") && one.value < 0))  // the same pair stands there the other way round
+      table.rows.push_back({one.name, one.description, number(one)});
   return table;
 }
 

@@ -251,7 +251,8 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
                       "checkpoint). Leave one of the two out."});
   const Prepared prepared = prepare(scene);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
-  const Stopping stopping{{folder / "checkpoint.cbor", checkpoint_owner(scene.text)}, 60, options.resume};
+  const Stopping stopping{
+      {folder / "checkpoint.cbor", checkpoint_owner(scene.text)}, options.checkpoint_every, options.resume};
   RunResult result = accuracy > 0
                          ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))
                          : run_prepared(prepared, options.store, stopping);

@@ -58,6 +58,7 @@ struct RunOptions {
   ReferenceStore store{};
   double accuracy = 0;               ///< overrules the scene's; 0: as the scene says
   bool resume = false;               ///< go on from the checkpoint in the folder
+  double checkpoint_every = 60;      ///< s of wall time; 0: after every step
   bool ledger = false;               ///< also where the differences come from: runs both solvers several times more
   std::vector<std::string> notes{};  ///< for the log, e.g. why these settings were chosen
 };

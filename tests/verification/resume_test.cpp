@@ -1,0 +1,73 @@
+// A run killed without warning goes on to the same bits, in whichever stage it was hit.
+#include "tests/verification/program.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace wetfront::verification {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string scene = WETFRONT_SOURCE_DIR "/verification/cases/small_slope/scene.toml";
+
+class Resume : public test::Program {
+ protected:
+  /// Fields and figures, by name: everything a run leaves but what it cost.
+  std::map<std::string, std::string> left_by(const std::string& run) const {
+    std::map<std::string, std::string> files;
+    for (const char* part : {"fields", "figures"})
+      for (const auto& entry : fs::directory_iterator(folder / run / part)) {
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        files[part + ("/" + entry.path().filename().string())] = text.str();
+      }
+    return files;
+  }
+
+  /// Kills a run after `seconds` and goes on with it; the time [s] from which it went on, NaN where there was nothing
+  /// to go on from (too early, or it had ended).
+  double kill_and_go_on(double seconds) const {
+    std::error_code none;
+    fs::remove_all(folder / "killed", none);
+    const std::string command = "cd " + folder.string() + " && timeout -s KILL " + std::to_string(seconds) +
+                                " " WETFRONT_PROGRAM " run " + scene + " --checkpoint 0 --out killed >/dev/null 2>&1";
+    if (std::system(command.c_str()) == 0 || !fs::exists(folder / "killed" / "checkpoint.cbor")) return std::nan("");
+    const test::Output on = wetfront("run " + scene + " --resume --out killed");
+    EXPECT_EQ(on.code, 0) << on.text;
+    const std::string said = "resume: from t = ";
+    const std::size_t at = on.text.find(said);
+    return at == std::string::npos ? std::nan("") : std::stod(on.text.substr(at + said.size()));
+  }
+};
+
+TEST_F(Resume, AKilledRunGoesOnToTheSameBitsInEachStage) {
+  const auto begin = std::chrono::steady_clock::now();
+  // As often kept as the runs that are killed: keeping takes most of the time here.
+  const test::Output whole = wetfront("run " + scene + " --checkpoint 0 --out whole");
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  ASSERT_EQ(whole.code, 0) << whole.text;
+  const auto expected = left_by("whole");
+  ASSERT_GT(expected.size(), 10u);
+  const double failure = 218;  // s; when the slope fails (a little later), see the scene's page
+  bool before = false, after = false;
+  for (const double share : {0.2, 0.8, 0.5, 0.1, 0.9, 0.3, 0.7, 0.05, 0.6, 0.95}) {
+    if (before && after) break;
+    if (share < 0.5 ? before : after) continue;
+    const double from = kill_and_go_on(share * wall);
+    if (std::isnan(from)) continue;
+    (from < failure ? before : after) = true;
+    const auto found = left_by("killed");
+    ASSERT_EQ(found.size(), expected.size());
+    for (const auto& [name, text] : expected) EXPECT_TRUE(found.at(name) == text) << name << ", from " << from << " s";
+  }
+  EXPECT_TRUE(before) << "no kill hit the infiltration";
+  EXPECT_TRUE(after) << "no kill hit the slide";
+}
+
+}  // namespace
+}  // namespace wetfront::verification
