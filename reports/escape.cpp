@@ -1,5 +1,6 @@
 #include "reports/escape.h"
 
+#include <cctype>
 #include <cstdio>
 #include <sstream>
 
@@ -87,6 +88,20 @@ std::string url_path(std::string_view path) {
     out += plain ? std::string(1, c) : std::string(code);
   }
   return out;
+}
+
+bool is_stem(std::string_view text) {
+  constexpr const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+  return !text.empty() && text.find_first_not_of(plain) == std::string_view::npos;
+}
+
+std::string anchor(std::string_view text) {
+  std::string name;
+  for (const char c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    name += std::isalnum(letter) && letter < 128 ? static_cast<char>(std::tolower(letter)) : '-';
+  }
+  return name;
 }
 
 std::size_t characters(std::string_view text) {

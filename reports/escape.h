@@ -19,6 +19,12 @@ std::string csv_cell(std::string_view text);
 /// A relative path as a URL: everything but unreserved characters and '/' percent-encoded.
 std::string url_path(std::string_view path);
 
+/// Whether a text can be the stem of a file's name anywhere: letters, digits, '_' and '-', at least one.
+bool is_stem(std::string_view text);
+
+/// A text as part of an id: lower-case letters and digits, '-' for all else.
+std::string anchor(std::string_view text);
+
 /// Number of characters (code points) of a UTF-8 text, to estimate its width.
 std::size_t characters(std::string_view text);
 

@@ -1,3 +1,4 @@
+#include "reports/base64.h"
 #include "reports/escape.h"
 #include "reports/number_text.h"
 #include "reports/whole_file.h"
@@ -8,7 +9,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
-#include <span>
 #include <stdexcept>
 
 // VTK's XML format for unstructured grids ("VTK File Formats", Kitware; version 1.0 with 64-bit headers): arrays are
@@ -18,21 +18,6 @@ namespace wetfront::reports {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files declare little-endian data");
-
-std::string base64(std::span<const unsigned char> bytes) {
-  static const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const std::uint32_t group = bytes[i] << 16 | (left > 1 ? bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
-    text += digits[group >> 18];
-    text += digits[group >> 12 & 63];
-    text += left > 1 ? digits[group >> 6 & 63] : '=';
-    text += left > 2 ? digits[group & 63] : '=';
-  }
-  return text;
-}
 
 template <class T>
 std::string array(const std::string& type, const std::string& name, int components, const std::vector<T>& values) {

@@ -15,10 +15,9 @@ namespace wetfront::reports {
 namespace {
 
 void check(const std::vector<Figure>& figures) {
-  constexpr const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
   std::set<std::string> seen;
   for (const Figure& figure : figures) {
-    if (figure.id.empty() || figure.id.find_first_not_of(plain) != std::string::npos)
+    if (!is_stem(figure.id))
       throw std::runtime_error("figure id '" + figure.id + "' is not a file name stem (letters, digits, _ and -)");
     if (!seen.insert(figure.id).second)
       throw std::runtime_error("figure id '" + figure.id + "' is used twice (its files would overwrite each other)");

@@ -1,6 +1,10 @@
 #include "reports/escape.h"
 #include "reports/number_text.h"
 #include "reports/page.h"
+#include "reports/quantity_anchor.h"
+#include "reports/record_json.h"
+#include "reports/run_history.h"
+#include "reports/table_html.h"
 #include "reports/tolerance_bar.h"
 #include "reports/verdict_table.h"
 #include "reports/whole_file.h"
@@ -17,6 +21,7 @@ namespace {
 struct Run {
   Record record;
   std::string link;
+  std::vector<PastRun> past;
 };
 
 /// All findings of one quantity in one run: the gravest verdict and the largest error in tolerances.
@@ -25,6 +30,7 @@ struct Cell {
   Verdict verdict = Verdict::info;
   double share = 0;
   Finding worst;
+  int number = 0;  ///< of the worst among the findings of its quantity
 };
 
 int gravity(Verdict verdict) {
@@ -33,12 +39,15 @@ int gravity(Verdict verdict) {
 
 Cell cell_of(const Record& record, const std::string& quantity) {
   Cell cell;
+  int next = 0;
   for (const Finding& finding : record.findings) {
     if (finding.quantity != quantity) continue;
+    const int number = next++;
     const double share = tolerance_share(finding);
     if (++cell.findings == 1 || share > cell.share || std::isnan(finding.error)) {
       cell.share = share;
       cell.worst = finding;
+      cell.number = number;
     }
     if (gravity(finding.verdict) > gravity(cell.verdict)) cell.verdict = finding.verdict;
   }
@@ -62,15 +71,21 @@ std::string column_title(const std::string& quantity) {
   return title;
 }
 
-std::string cell_html(const Cell& cell) {
+/// The cell leads to the first finding of its quantity on the run's own page.
+std::string cell_html(const Cell& cell, const Run& run) {
   if (cell.findings == 0) return "<td class=\"none\">–</td>";
   const std::string tip = cell.worst.description + ": error " + quantity_text(cell.worst.error, cell.worst.unit) +
                           ", tolerance " + quantity_text(cell.worst.tolerance, cell.worst.unit);
-  std::string text = "<td title=\"" + html(tip) + "\">" + badge(cell.verdict);
+  const std::string place = cell.verdict == Verdict::info ? "" : "#" + quantity_anchor(cell.worst.quantity);
+  std::ostringstream value;
+  value << " data-value=\"" << (std::isfinite(cell.share) ? cell.share : -gravity(cell.verdict)) << "\"";
+  std::string text = "<td title=\"" + html(tip) + "\"" + value.str() + "><a href=\"" + html(run.link) + place + "\">" +
+                     badge(cell.verdict) + "</a>";
   if (cell.verdict != Verdict::info) text += "<div class=\"small\">" + tolerance_bar(cell.worst) + "</div>";
   text += "<span class=\"count\">" + html(quantity_text(cell.worst.error, cell.worst.unit, 2)) + "</span> ";
   if (cell.findings > 1) text += "<span class=\"count\">worst of " + std::to_string(cell.findings) + "</span>";
-  return text + "</td>";
+  const std::string line = trend(run.past, cell.worst.quantity, cell.number, cell.worst.unit);
+  return text + (line.empty() ? "" : "<div>" + line + "</div>") + "</td>";
 }
 
 /// What the maker of a run may tell of it in its provenance, for columns of their own.
@@ -97,10 +112,11 @@ std::string matrix(const std::vector<Run>& runs) {
   for (const Column& column : told) out << "<th class=\"number\">" << column.title << "</th>";
   out << "<th class=\"number\">CPU&nbsp;[s]</th></tr></thead><tbody>\n";
   for (const Run& run : runs) {
-    out << "<tr><th scope=\"row\"><a href=\"" << html(run.link) << "\">"
-        << html(run.record.title.empty() ? run.record.case_name : run.record.title) << "</a><code>"
-        << html(run.record.case_name) << "</code></th><td>" << badge(run.record.verdict) << "</td>";
-    for (const std::string& quantity : quantities) out << cell_html(cell_of(run.record, quantity));
+    out << "<tr data-verdict=\"" << verdict_key(run.record.verdict) << "\"><th scope=\"row\"><a href=\""
+        << html(run.link) << "\">" << html(run.record.title.empty() ? run.record.case_name : run.record.title)
+        << "</a><code>" << html(run.record.case_name) << "</code></th><td data-value=\"" << gravity(run.record.verdict)
+        << "\">" << badge(run.record.verdict) << "</td>";
+    for (const std::string& quantity : quantities) out << cell_html(cell_of(run.record, quantity), run);
     for (const Column& column : told) {
       const auto value = run.record.provenance.find(column.key);
       out << "<td class=\"number\">" << (value == run.record.provenance.end() ? "–" : html(value->second)) << "</td>";
@@ -126,9 +142,29 @@ std::vector<Run> runs_of(const RunGroup& group, const std::filesystem::path& hom
   std::vector<Run> runs;
   for (const auto& folder : group.folders) {
     const auto report = std::filesystem::absolute(folder) / "report.html";
-    runs.push_back({read_result(folder / "result.json"), url_path(report.lexically_relative(home).generic_string())});
+    runs.push_back({read_result(folder / "result.json"), url_path(report.lexically_relative(home).generic_string()),
+                    past_runs(folder)});
   }
   return runs;
+}
+
+/// Tables with marks, such as the matrix of hard cases, from the runs' own pages; their links lead from this page.
+std::string marked_tables(const RunGroup& group, const std::filesystem::path& home) {
+  std::string tables;
+  for (const auto& folder : group.folders)
+    for (Table table : read_result(folder / "result.json").tables) {
+      if (table.marks.empty()) continue;
+      const auto from_here = [&](std::string& link) {
+        if (!link.empty())
+          link =
+              (std::filesystem::absolute(folder) / link).lexically_normal().lexically_relative(home).generic_string();
+      };
+      for (std::string& link : table.links) from_here(link);
+      for (auto& row : table.marks)
+        for (Table::Mark& mark : row) from_here(mark.link);
+      tables += table_html(table, TableForm::glance);
+    }
+  return tables;
 }
 
 }  // namespace
@@ -145,15 +181,17 @@ void write_index(const std::vector<RunGroup>& groups, const std::filesystem::pat
   std::string sections;
   for (const RunGroup& group : groups) {
     const std::vector<Run> runs = runs_of(group, home);
-    sections += "<section>\n" + (group.title.empty() ? "" : "<h2>" + html(group.title) + "</h2>\n") + matrix(runs) +
-                "</section>\n";
+    sections += "<section>\n" + (group.title.empty() ? "" : "<h2>" + html(group.title) + "</h2>\n") +
+                marked_tables(group, home) + matrix(runs) + "</section>\n";
     all.insert(all.end(), runs.begin(), runs.end());
   }
-  const std::string body = "<div class=\"overview\"><header><p class=\"kind\">wetfront · overview</p><h1>" +
-                           html(title) + "</h1>" + summary(all) + "</header>\n<main>\n" + sections +
-                           "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
-                           "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
-                           "own uncertainty. A case’s name leads to its report.</p></main></div>\n";
+  const std::string body =
+      "<div class=\"overview\"><header><p class=\"kind\">wetfront · overview</p><h1>" + html(title) + "</h1>" +
+      summary(all) + "</header>\n<main>\n" + sections +
+      "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
+      "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
+      "own uncertainty. A case’s name and "
+      "its cells lead to its report; small lines are the last runs, the grey line the tolerance.</p></main></div>\n";
   write_whole(page, whole_page(title + " · wetfront", body));
 }
 

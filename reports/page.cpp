@@ -1,15 +1,16 @@
 #include "reports/page.h"
 
 #include "reports/escape.h"
+#include "reports/field_picture.h"
 #include "reports/figure_data.h"
+#include "reports/film_page.h"
 #include "reports/number_text.h"
 #include "reports/page_assets.h"
+#include "reports/table_html.h"
 #include "reports/thinned.h"
 #include "reports/verdict_table.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
 #include <sstream>
 
 namespace wetfront::reports {
@@ -18,73 +19,17 @@ namespace {
 
 /// The page's sections in order. Those of figures and tables that are not named here stand before "Cost".
 std::vector<std::string> section_order(const Record& record) {
-  std::vector<std::string> order = {"The slide", "Profiles", "Time series", "Flux audit"};
+  std::vector<std::string> order = {"The slide", "Fields", "Profiles", "Time series", "Flux audit"};
   const std::vector<std::string> last = {"Cost", "Effects plan", "Set-up", "Log", "Scene", "Provenance"};
   const auto add = [&](const std::string& section) {
     const bool known = std::count(order.begin(), order.end(), section) || std::count(last.begin(), last.end(), section);
     if (!known && section != "Verdicts") order.push_back(section);
   };
   for (const Figure& figure : record.figures) add(figure.section);
+  for (const FieldPicture& picture : record.pictures) add(picture.section);
   for (const Table& table : record.tables) add(table.section);
   order.insert(order.end(), last.begin(), last.end());
   return order;
-}
-
-std::string anchor(const std::string& section) {
-  std::string name = "section-";
-  for (const char c : section)
-    name += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
-                                                        : '-';
-  return name;
-}
-
-bool numeric(const std::string& cell) {
-  const std::size_t start = cell.rfind("\u2212", 0) == 0 ? 3 : cell.find_first_not_of("+-<>~ ");
-  return start < cell.size() && (std::isdigit(static_cast<unsigned char>(cell[start])) || cell == "NaN" || cell == "–");
-}
-
-/// A column reads as numbers when most of its filled cells do.
-bool numeric_column(const Table& table, std::size_t column) {
-  std::size_t filled = 0, numbers = 0;
-  for (const auto& row : table.rows)
-    if (column < row.size() && !row[column].empty()) {
-      ++filled;
-      numbers += numeric(row[column]);
-    }
-  return filled > 0 && 2 * numbers > filled;
-}
-
-/// Shares draw a bar behind their number.
-std::string share_style(const std::string& header, const std::string& cell) {
-  if (header.find('%') == std::string::npos) return "";
-  const double share = std::strtod(cell.c_str(), nullptr);
-  if (!(share > 0) || share > 100) return "";
-  return " style=\"--share:" + number_text(std::max(0.01, share), 4) + "%\" data-share";
-}
-
-std::string linked(const std::string& text, const std::string& link) {
-  return link.empty() ? html(text) : "<a href=\"" + html(url_path(link)) + "\">" + html(text) + "</a>";
-}
-
-std::string table_html(const Table& table) {
-  std::ostringstream out;
-  out << "<div class=\"wide\"><table class=\"plain\"><caption><b>" << html(table.title) << "</b>";
-  if (!table.caption.empty()) out << " <span>" << html(table.caption) << "</span>";
-  out << "</caption><thead><tr>";
-  const auto kind = [&](std::size_t column) { return numeric_column(table, column) ? " class=\"number\"" : ""; };
-  for (std::size_t c = 0; c < table.header.size(); ++c)
-    out << "<th" << kind(c) << ">" << html(table.header[c]) << "</th>";
-  out << "</tr></thead><tbody>\n";
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    const auto& row = table.rows[r];
-    out << "<tr>";
-    for (std::size_t c = 0; c < row.size(); ++c)
-      out << "<td" << kind(c) << (c < table.header.size() ? share_style(table.header[c], row[c]) : "") << ">"
-          << (c == 0 && r < table.links.size() ? linked(row[c], table.links[r]) : html(row[c])) << "</td>";
-    out << "</tr>\n";
-  }
-  out << "</tbody></table></div>\n";
-  return out.str();
 }
 
 std::string figure_html(const Figure& figure, const DrawnFigure& drawn) {
@@ -133,13 +78,40 @@ std::string own_content(const Record& record, const std::string& section) {
 }
 
 std::string section_content(const Record& record, const std::vector<DrawnFigure>& drawn, const std::string& section) {
-  std::string figures, tables;
+  std::string figures, pictures, tables;
   for (std::size_t i = 0; i < record.figures.size(); ++i)
     if (record.figures[i].section == section) figures += figure_html(record.figures[i], drawn[i]);
+  for (const FieldPicture& picture : record.pictures)
+    if (picture.section == section) pictures += picture_html(picture, record.pressure_per_head);
   for (const Table& table : record.tables)
-    if (table.section == section) tables += table_html(table);
+    if (table.section == section) tables += table_html(table, TableForm::whole);
   if (!figures.empty()) figures = "<div class=\"figures\">" + figures + "</div>\n";
-  return figures + tables + own_content(record, section);
+  return pictures + figures + tables + own_content(record, section);
+}
+
+/// Bodies that move come first: what happened is seen before it is judged in detail.
+std::string films_html(const Record& record) {
+  std::string films;
+  for (const Film& film : record.films) films += film_html(film, record.pressure_per_head);
+  return films.empty() ? "" : "<section id=\"section-motion\"><h2>Motion</h2>\n" + films + "</section>\n";
+}
+
+bool shows_pressure(const Record& record) {
+  const auto kPa = [](const auto& what) { return what.unit == "kPa"; };
+  return std::any_of(record.pictures.begin(), record.pictures.end(), kPa) ||
+         std::any_of(record.films.begin(), record.films.end(),
+                     [&](const Film& film) { return std::any_of(film.channels.begin(), film.channels.end(), kPa); }) ||
+         std::any_of(record.figures.begin(), record.figures.end(),
+                     [](const Figure& figure) { return figure.x_unit == "kPa" || figure.y_unit == "kPa"; });
+}
+
+/// kPa or metres of water: the style sheet follows the choice, so that it works without scripts, too; page.js takes the
+/// line figures along.
+std::string unit_switch(const Record& record) {
+  if (!(record.pressure_per_head > 0) || !shows_pressure(record)) return "";
+  return "<p class=\"units\" data-kpa-per-metre=\"" + exact_text(record.pressure_per_head) +
+         "\">pressure in <label><input type=\"radio\" name=\"unit\" id=\"in-kpa\" checked> kPa</label> "
+         "<label><input type=\"radio\" name=\"unit\" id=\"in-metres\"> m of water</label></p>";
 }
 
 std::string header_html(const Record& record) {
@@ -156,7 +128,7 @@ std::string header_html(const Record& record) {
           << "</span>";
   out << "</p>";
   if (!record.requirement.empty()) out << "<p class=\"requirement\">" << html(record.requirement) << "</p>";
-  out << "</header>\n";
+  out << unit_switch(record) << "</header>\n";
   return out.str();
 }
 
@@ -174,16 +146,19 @@ std::string whole_page(const std::string& title, const std::string& body) {
          "</script>\n</body></html>\n";
 }
 
-std::string report_page(const Record& record, const std::vector<DrawnFigure>& drawn) {
-  std::string navigation = "<nav><a href=\"#section-verdicts\">Verdicts</a>";
-  std::string sections = "<section id=\"section-verdicts\"><h2>Verdicts</h2>\n" + verdict_table(record) +
+std::string report_page(const Record& record, const std::vector<DrawnFigure>& drawn, const std::vector<PastRun>& past) {
+  const std::string films = films_html(record);
+  std::string navigation = std::string("<nav>") + (films.empty() ? "" : "<a href=\"#section-motion\">Motion</a>") +
+                           "<a href=\"#section-verdicts\">Verdicts</a>";
+  std::string sections = films + "<section id=\"section-verdicts\"><h2>Verdicts</h2>\n" + verdict_table(record, past) +
                          (record.findings.empty() ? "" : how_to_read) + section_content(record, drawn, "Verdicts") +
                          "</section>\n";
   for (const std::string& section : section_order(record)) {
     const std::string content = section_content(record, drawn, section);
     if (content.empty()) continue;
-    navigation += "<a href=\"#" + anchor(section) + "\">" + html(section) + "</a>";
-    sections += "<section id=\"" + anchor(section) + "\"><h2>" + html(section) + "</h2>\n" + content + "</section>\n";
+    navigation += "<a href=\"#section-" + anchor(section) + "\">" + html(section) + "</a>";
+    sections +=
+        "<section id=\"section-" + anchor(section) + "\"><h2>" + html(section) + "</h2>\n" + content + "</section>\n";
   }
   return whole_page(record.title + " · wetfront",
                     header_html(record) + navigation + "</nav>\n<main>\n" + sections + "</main>\n");

@@ -140,6 +140,33 @@
       if (this.zoomed) this.zoomed.remove();
       if (this.button) this.button.remove();
       this.zoomed = this.button = null;
+      if (this.own && this.own !== this.data && this.data.x.unit + this.data.y.unit !== this.own.x.unit + this.own.y.unit)
+        this.redraw();
+    }
+
+    // Pressures as metres of water of so many kPa each; 0: as they are.
+    inHead(weight) {
+      const own = this.own = this.own || this.data, factor = {};
+      for (const a of ["x", "y"]) factor[a] = weight && own[a].unit === "kPa" ? 1 / weight : 1;
+      if (factor.x === 1 && factor.y === 1 && own === this.data) return;
+      const axis = (a) => factor[a] === 1 ? own[a]
+        : {...own[a], from: own[a].from * factor[a], to: own[a].to * factor[a], unit: "m"};
+      const scaled = (values, a) => factor[a] === 1 ? values : values.map((v) => v === null ? null : v * factor[a]);
+      this.data = {...own, x: axis("x"), y: axis("y"),
+        series: own.series.map((s) => ({...s, x: scaled(s.x, "x"), y: scaled(s.y, "y")}))};
+      for (const text of this.svg.querySelectorAll("text")) {
+        const plain = text.textContent;
+        if (!this.zoomed?.contains(text) && /\[(kPa|m of water)\]/.test(plain))
+          this.rename(text, weight ? /\[kPa\]/ : /\[m of water\]/, weight ? "[m of water]" : "[kPa]");
+      }
+      this.clear();
+      this.reset();
+    }
+
+    // Only the leaf that holds the unit, so that gnuplot's spans stay.
+    rename(text, from, to) {
+      const walk = document.createTreeWalker(text, NodeFilter.SHOW_TEXT);
+      for (let node = walk.nextNode(); node; node = walk.nextNode()) node.data = node.data.replace(from, to);
     }
 
     // The static plot is covered by one of the chosen part, with axes of its own.
@@ -163,7 +190,7 @@
       g.append(element("path", {d: `M${left} ${top}V${bottom}H${right}`, stroke: "#555", fill: "none"}));
       const marks = g.appendChild(element("g", {"clip-path": `url(#${clip})`}));
       for (const s of this.data.series) this.draw(marks, s);
-      if (this.button) return;
+      if (this.button || (this.x === this.data.x && this.y === this.data.y)) return;
       this.button = this.figure.appendChild(document.createElement("button"));
       this.button.className = "back";
       this.button.textContent = "whole figure";
@@ -187,5 +214,14 @@
     }
   }
 
-  for (const figure of document.querySelectorAll("figure")) new Plot(figure);
+  const plots = [...document.querySelectorAll("figure")].filter((figure) => figure.querySelector(":scope > svg"))
+    .map((figure) => new Plot(figure));
+
+  // The style sheet changes legends from kPa to metres of water; line figures are drawn anew.
+  const units = document.querySelector(".units");
+  if (!units) return;
+  const weight = Number(units.dataset.kpaPerMetre);
+  const change = () => plots.forEach((plot) => plot.inHead(document.getElementById("in-metres").checked ? weight : 0));
+  units.addEventListener("change", change);
+  change();  // a browser may remember the choice
 })();

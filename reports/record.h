@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
@@ -57,6 +58,44 @@ struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> links{};  ///< per row, relative to the page: where its first cell leads; "" nowhere
+  /// What a cell says at a glance. A table that has marks is shown on the index page of its run, too.
+  struct Mark {
+    std::string kind;  ///< "pass", "fail", "refused", or "" for none
+    std::string link;  ///< relative to the page; "" nowhere
+  };
+  std::vector<std::vector<Mark>> marks{};  ///< per row and cell; empty: none
+};
+
+/// A field of two dimensions as solutions have it, painted side by side in one scale.
+struct FieldPicture {
+  std::string id, title, section;
+  std::string quantity, unit;  ///< "pore pressure", "kPa"
+  std::vector<double> x, y;    ///< m, of the nodes
+  std::vector<int> cells;      ///< four nodes each, one after the other around the cell
+  struct Panel {
+    std::string label;          ///< "MPM", "reference", "MPM minus reference"
+    std::vector<double> nodal;  ///< in `unit`; NaN: not painted
+    bool difference = false;    ///< has a scale of its own, symmetric to zero
+  };
+  std::vector<Panel> panels;
+};
+
+/// Material points through time, thinned and in whole numbers of 16 bits (film.h makes it).
+struct Film {
+  std::string id, title, caption;
+  struct Channel {
+    std::string name, unit;
+    double from = 0, to = 1;  ///< what 0 and 65535 stand for
+  };
+  std::vector<Channel> channels;  ///< x and y first, then what points may be coloured by
+  struct Frame {
+    double time = 0;    ///< s
+    std::string label;  ///< "failure", "rest", or ""
+  };
+  std::vector<Frame> frames;
+  int points = 0, points_of_run = 0;  ///< shown; there were
+  std::vector<std::uint16_t> values;  ///< frame by frame, of each channel by channel, of each point by point
+  std::vector<Series> ground;         ///< lines behind the points
 };
 
 /// A field file for ParaView: nodal and cell fields on a mesh, or values at points.
@@ -82,8 +121,11 @@ struct Record {
   Verdict verdict = Verdict::info;
   std::vector<Finding> findings;
   std::vector<Figure> figures;
-  std::vector<Table> tables;  ///< cost, ledger, effects plan, set-up, reference error bound
-  std::string plan_text;      ///< what `wetfront explain` prints
+  std::vector<FieldPicture> pictures{};
+  std::vector<Film> films{};
+  double pressure_per_head = 0;  ///< kPa per metre of water: pages let one choose; 0: no choice
+  std::vector<Table> tables;     ///< cost, ledger, effects plan, set-up, reference error bound
+  std::string plan_text;         ///< what `wetfront explain` prints
   std::vector<std::string> log;
   /// git_hash, dirty, input_hash, mesh_hash, compiler, isa, threads, cpu, date, wetfront version, ...
   std::map<std::string, std::string> provenance;

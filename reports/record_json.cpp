@@ -1,9 +1,8 @@
 #include "reports/record_json.h"
 
-#include <nlohmann/json.hpp>
+#include "reports/json_number.h"
+#include "reports/picture_json.h"
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace wetfront::reports {
@@ -16,63 +15,20 @@ using Json = nlohmann::ordered_json;
 constexpr const char* promised_provenance[] = {"git_hash", "dirty", "input_hash", "mesh_hash",
                                                "compiler", "isa",   "threads",    "cpu"};
 
-Json number(double value) {
-  if (std::isnan(value)) return "NaN";
-  if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";
-  return value;
-}
-
-double number_from(const Json& json) {
-  if (json.is_number()) return json.get<double>();
-  const auto text = json.get<std::string>();
-  if (text == "NaN") return std::numeric_limits<double>::quiet_NaN();
-  if (text == "Infinity") return std::numeric_limits<double>::infinity();
-  if (text == "-Infinity") return -std::numeric_limits<double>::infinity();
-  throw std::runtime_error("'" + text + "' is not a number");
-}
-
-Json numbers(const std::vector<double>& values) {
-  Json array = Json::array();
-  for (const double value : values) array.push_back(number(value));
-  return array;
-}
-
-std::vector<double> numbers_from(const Json& json) {
-  std::vector<double> values;
-  for (const Json& value : json) values.push_back(number_from(value));
-  return values;
-}
-
-Verdict verdict_from(const std::string& key) {
-  for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::inconclusive, Verdict::info})
-    if (key == verdict_key(verdict)) return verdict;
-  throw std::runtime_error("'" + key + "' is not a verdict (pass, fail, inconclusive, info)");
-}
-
-const char* style_key(Series::Style style) {
-  return style == Series::Style::line ? "line" : style == Series::Style::dashed ? "dashed" : "points";
-}
-
-Series::Style style_from(const std::string& key) {
-  for (const auto style : {Series::Style::line, Series::Style::dashed, Series::Style::points})
-    if (key == style_key(style)) return style;
-  throw std::runtime_error("'" + key + "' is not a style (line, dashed, points)");
-}
-
 Json finding_json(const Finding& finding, const std::string& case_name) {
   return {{"case", case_name},
           {"quantity", finding.quantity},
           {"description", finding.description},
           {"group", finding.group},
           {"unit", finding.unit},
-          {"error", number(finding.error)},
-          {"reference_bound", number(finding.reference_bound)},
+          {"error", number_json(finding.error)},
+          {"reference_bound", number_json(finding.reference_bound)},
           {"reference_convergence", finding.reference_convergence},
-          {"reference_order", number(finding.reference_order)},
-          {"tolerance", number(finding.tolerance)},
+          {"reference_order", number_json(finding.reference_order)},
+          {"tolerance", number_json(finding.tolerance)},
           {"reason", finding.reason},
           {"verdict", verdict_key(finding.verdict)},
-          {"cpu_s", number(finding.cpu_s)},
+          {"cpu_s", number_json(finding.cpu_s)},
           {"explanation", finding.explanation}};
 }
 
@@ -100,13 +56,9 @@ Json figure_json(const Figure& figure) {
                {"y_unit", figure.y_unit},   {"note", figure.note},     {"log_x", figure.log_x},
                {"log_y", figure.log_y},     {"shaded", Json::array()}, {"series", Json::array()}};
   for (const Figure::Window& window : figure.shaded)
-    json["shaded"].push_back({{"from", number(window.from)}, {"to", number(window.to)}, {"label", window.label}});
-  for (const Series& series : figure.series)
-    json["series"].push_back({{"label", series.label},
-                              {"style", style_key(series.style)},
-                              {"colour", series.colour},
-                              {"x", numbers(series.x)},
-                              {"y", numbers(series.y)}});
+    json["shaded"].push_back(
+        {{"from", number_json(window.from)}, {"to", number_json(window.to)}, {"label", window.label}});
+  for (const Series& series : figure.series) json["series"].push_back(series_json(series));
   return json;
 }
 
@@ -125,30 +77,36 @@ Figure figure_from(const Json& json) {
   for (const Json& window : json.at("shaded"))
     figure.shaded.push_back(
         {number_from(window.at("from")), number_from(window.at("to")), window.at("label").get<std::string>()});
-  for (const Json& item : json.at("series")) {
-    Series series;
-    series.label = item.at("label").get<std::string>();
-    series.style = style_from(item.at("style").get<std::string>());
-    series.colour = item.at("colour").get<int>();
-    series.x = numbers_from(item.at("x"));
-    series.y = numbers_from(item.at("y"));
-    figure.series.push_back(std::move(series));
-  }
+  for (const Json& item : json.at("series")) figure.series.push_back(series_from(item));
   return figure;
 }
 
 Json table_json(const Table& table) {
-  return {{"title", table.title},   {"section", table.section}, {"caption", table.caption},
-          {"header", table.header}, {"rows", table.rows},       {"links", table.links}};
+  Json json = {{"title", table.title},   {"section", table.section}, {"caption", table.caption},
+               {"header", table.header}, {"rows", table.rows},       {"links", table.links}};
+  if (table.marks.empty()) return json;
+  json["marks"] = Json::array();
+  for (const auto& row : table.marks) {
+    Json marks = Json::array();
+    for (const Table::Mark& mark : row) marks.push_back({{"kind", mark.kind}, {"link", mark.link}});
+    json["marks"].push_back(marks);
+  }
+  return json;
 }
 
 Table table_from(const Json& json) {
-  return {json.at("title").get<std::string>(),
-          json.at("section").get<std::string>(),
-          json.at("caption").get<std::string>(),
-          json.at("header").get<std::vector<std::string>>(),
-          json.at("rows").get<std::vector<std::vector<std::string>>>(),
-          json.value("links", std::vector<std::string>{})};
+  Table table{json.at("title").get<std::string>(),
+              json.at("section").get<std::string>(),
+              json.at("caption").get<std::string>(),
+              json.at("header").get<std::vector<std::string>>(),
+              json.at("rows").get<std::vector<std::vector<std::string>>>(),
+              json.value("links", std::vector<std::string>{})};
+  for (const Json& row : json.value("marks", Json::array())) {
+    auto& marks = table.marks.emplace_back();
+    for (const Json& mark : row)
+      marks.push_back({mark.at("kind").get<std::string>(), mark.at("link").get<std::string>()});
+  }
+  return table;
 }
 
 std::string dump(const Json& json) {
@@ -191,6 +149,9 @@ Record record_from(const Json& json) {
   record.provenance = json.at("provenance").get<std::map<std::string, std::string>>();
   for (const Json& finding : json.at("findings")) record.findings.push_back(finding_from(finding));
   for (const Json& figure : json.at("figures")) record.figures.push_back(figure_from(figure));
+  for (const Json& picture : json.value("pictures", Json::array())) record.pictures.push_back(picture_from(picture));
+  for (const Json& film : json.value("films", Json::array())) record.films.push_back(film_from(film));
+  record.pressure_per_head = number_from(json.value("kpa_per_metre", Json(0)));
   for (const Json& table : json.at("tables")) record.tables.push_back(table_from(table));
   record.plan_text = json.at("plan").get<std::string>();
   record.log = json.at("log").get<std::vector<std::string>>();
@@ -215,6 +176,12 @@ const char* verdict_key(Verdict verdict) {
   throw std::logic_error("verdict_key: not a Verdict");
 }
 
+Verdict verdict_from(const std::string& key) {
+  for (const Verdict verdict : {Verdict::pass, Verdict::fail, Verdict::inconclusive, Verdict::info})
+    if (key == verdict_key(verdict)) return verdict;
+  throw std::runtime_error("'" + key + "' is not a verdict (pass, fail, inconclusive, info)");
+}
+
 std::string to_json(const Record& record) {
   Json json;
   json["schema"] = result_schema;
@@ -223,7 +190,7 @@ std::string to_json(const Record& record) {
   json["title"] = record.title;
   json["requirement"] = record.requirement;
   json["verdict"] = verdict_key(record.verdict);
-  json["cpu_s"] = number(record.cpu_seconds);
+  json["cpu_s"] = number_json(record.cpu_seconds);
   std::map<std::string, std::string> provenance = record.provenance;
   for (const char* key : promised_provenance) provenance.try_emplace(key, "unknown");
   json["provenance"] = provenance;
@@ -236,6 +203,11 @@ std::string to_json(const Record& record) {
   json["scene"] = {{"path", record.scene_path}, {"text", record.scene_text}};
   json["figures"] = Json::array();
   for (const Figure& figure : record.figures) json["figures"].push_back(figure_json(figure));
+  json["pictures"] = Json::array();
+  for (const FieldPicture& picture : record.pictures) json["pictures"].push_back(picture_json(picture));
+  json["films"] = Json::array();
+  for (const Film& film : record.films) json["films"].push_back(film_json(film));
+  json["kpa_per_metre"] = number_json(record.pressure_per_head);
   return by_lines(json);
 }
 

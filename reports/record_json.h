@@ -19,5 +19,7 @@ Record from_json(const std::string& text);
 
 /// "pass", "fail", "inconclusive", "info"
 const char* verdict_key(Verdict verdict);
+/// Back again. Throws std::runtime_error.
+Verdict verdict_from(const std::string& key);
 
 }  // namespace wetfront::reports

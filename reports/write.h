@@ -12,7 +12,8 @@ namespace wetfront::reports {
 void make_writable(const std::filesystem::path& folder);
 
 /// Writes result.json (schema: result.schema.json), figures/ (CSV, gnuplot script and SVG of each) and report.html into
-/// `folder`. Throws std::runtime_error naming the file that cannot be written. Files appear whole or not at all.
+/// `folder`, and adds the run to its history.jsonl (run_history.h). Throws std::runtime_error naming the file that
+/// cannot be written. Files appear whole or not at all.
 void write_result(const Record& record, const std::filesystem::path& folder);
 
 /// Renders report.html again from the folder's result.json (`wetfront report DIR`).

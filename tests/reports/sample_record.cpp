@@ -1,5 +1,7 @@
 #include "tests/reports/sample_record.h"
 
+#include "tests/reports/sample_pictures.h"
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -234,6 +236,9 @@ Record sample_record(const std::string& case_name) {
   for (auto& group : {time_figures(), audit_figures()})
     record.figures.insert(record.figures.end(), group.begin(), group.end());
   record.figures.push_back(cost_figure());
+  record.pictures = {sample_picture()};
+  record.films = {sample_film(600, 12)};
+  record.pressure_per_head = 9.81;
   record.tables = sample_tables();
   record.plan_text =
       "stage infiltration: seepage (implicit), rigid skeleton\n"

@@ -208,7 +208,16 @@ TEST(WriteIndex, LinksAreRelativeAndLead) {
     write_result(testing::sample_record(name), runs.emplace_back(desk.path() / name));
   write_index(runs, desk.path() / "pages" / "index.html", "Übersicht <&>");
   const std::string page = read_whole(desk.path() / "pages" / "index.html");
-  EXPECT_THAT(addresses(page), ::testing::ElementsAre("../a/report.html", "../b%20%26%20%C3%BC/report.html"));
+  std::set<std::string> pages, places;
+  for (const std::string& address : addresses(page)) {
+    pages.insert(address.substr(0, address.find('#')));
+    if (address.find('#') != std::string::npos) places.insert(address.substr(address.find('#') + 1));
+  }
+  EXPECT_THAT(pages, ::testing::ElementsAre("../a/report.html", "../b%20%26%20%C3%BC/report.html"));
+  // A cell leads to its quantity on the run's page.
+  const std::string report = read_whole(desk.path() / "a" / "report.html");
+  EXPECT_EQ(places.size(), 6U);
+  for (const std::string& place : places) EXPECT_EQ(count_of(report, " id=\"" + place + "\""), 1U) << place;
   EXPECT_THAT(page, HasSubstr("<h1>Übersicht &lt;&amp;&gt;</h1>"));
   // One cell per gated quantity; two findings of one quantity share a cell, which shows the graver one.
   EXPECT_EQ(count_of(page, "worst of 2"), 2U);
