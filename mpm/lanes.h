@@ -18,28 +18,28 @@ inline constexpr int lane_count = 4;
 using Lanes = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lane_count>>;
 using LaneMask = Lanes::mask_type;
 
-inline double select(bool where, double yes, double no) {
+[[gnu::always_inline]] inline double select(bool where, double yes, double no) {
   return where ? yes : no;
 }
-inline Lanes select(const LaneMask& where, const Lanes& yes, const Lanes& no) {
+[[gnu::always_inline]] inline Lanes select(const LaneMask& where, const Lanes& yes, const Lanes& no) {
   Lanes out = no;
   std::experimental::where(where, out) = yes;
   return out;
 }
-inline bool any(bool mask) {
+[[gnu::always_inline]] inline bool any(bool mask) {
   return mask;
 }
-inline bool any(const LaneMask& mask) {
+[[gnu::always_inline]] inline bool any(const LaneMask& mask) {
   return std::experimental::any_of(mask);
 }
 
-inline Lanes load(const double* from) {
+[[gnu::always_inline]] inline Lanes load(const double* from) {
   return Lanes(from, std::experimental::element_aligned);
 }
-inline void store(const Lanes& value, double* to) {
+[[gnu::always_inline]] inline void store(const Lanes& value, double* to) {
   value.copy_to(to, std::experimental::element_aligned);
 }
-inline double sum(const Lanes& value) {
+[[gnu::always_inline]] inline double sum(const Lanes& value) {
   return (value[0] + value[1]) + (value[2] + value[3]);
 }
 /// The sums over the lanes of four values: (x0 + x1) + (x2 + x3) each, as `sum`.

@@ -18,6 +18,16 @@ bool carried(const Column& column) {
   return column.spec().lifetime == Lifetime::carried && column.allocated();
 }
 
+/// Asks for two slots of all carried columns, which are about to be worked on.
+void fetch(const ColumnSet& columns, std::size_t one, std::size_t other) {
+  for (const auto& column : columns.all()) {
+    if (!carried(*column)) continue;
+    const double* values = (*column)[0];
+    for (int c = 0; c < column->spec().components; ++c, values += column->size())
+      __builtin_prefetch(values + one), __builtin_prefetch(values + other);
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -81,6 +91,7 @@ template <int dim>
 void MaterialPoints<dim>::lay_out(std::size_t slots) {
   first_.resize(count_of_cell_.size());
   room_.resize(count_of_cell_.size());
+  first_then_.reserve(count_of_cell_.size());
   rooms_.reset(slots);
   for (std::size_t k = 0; k < count_of_cell_.size(); ++k) {
     const std::size_t room = SlotRooms::rounded(count_of_cell_[k]);
@@ -104,13 +115,16 @@ void MaterialPoints<dim>::carry_over(std::size_t slots, Column& scratch) {
   const bool longer = slots != this->slots();
   for (const auto& column : columns.all()) {
     const int components = column->allocated() ? column->spec().components : 0;
-    std::vector<double> fresh = long_zeros(longer ? slots * static_cast<std::size_t>(components) : 0);
+    std::vector<double> fresh;
+    if (longer) fresh = long_zeros(slots * static_cast<std::size_t>(components));
     for (int c = 0; carried(*column) && c < components; ++c) {
       double* to = longer ? fresh.data() + static_cast<std::size_t>(c) * slots : scratch[0];
       if (!longer) std::fill_n(to, slots, 0.0);
       for (std::size_t k = 0; k < first_.size(); ++k) {
         if (count_of_cell_[k] == 0) continue;
-        std::copy_n((*column)[c] + first_then_[k], count_of_cell_[k], to + first_[k]);
+        const double* from = (*column)[c] + first_then_[k];
+        for (std::size_t p = 0; p < SlotRooms::rounded(count_of_cell_[k]); p += SlotRooms::unit)
+          for (std::size_t q = p; q < p + SlotRooms::unit; ++q) to[first_[k] + q] = from[q];
         if (column->spec().name == "position")
           std::fill(to + first_[k] + count_of_cell_[k], to + first_[k] + room_[k], to[first_[k]]);
       }
@@ -176,8 +190,14 @@ void MaterialPoints<dim>::remove(std::size_t k, std::size_t index) {
 template <int dim>
 void MaterialPoints<dim>::move(const Grid<dim>& grid, std::span<const Mover> movers, Column& scratch) {
   if (movers.empty()) return;
+  constexpr std::size_t ahead = 6;
   // From the back: within a cell the last point is then never one that has still to go.
   for (std::size_t m = movers.size(); m-- > 0;) {
+    if (m >= ahead) {
+      const Mover& later = movers[m - ahead];
+      const std::size_t goes_to = key(later.to, later.soil);
+      fetch(columns, first_[key(later.from, later.soil)] + later.index, first_[goes_to] + count_of_cell_[goes_to]);
+    }
     const Mover& mover = movers[m];
     const std::size_t from = key(mover.from, mover.soil), to = key(mover.to, mover.soil);
     if (count_of_cell_[to] == room_[to] && !grow(to)) {
@@ -187,6 +207,17 @@ void MaterialPoints<dim>::move(const Grid<dim>& grid, std::span<const Mover> mov
     append(to, first_[from] + mover.index);
     remove(from, mover.index);
   }
+  // Rooms that have been changed for longer ones lie anywhere: a pass over the cells then waits for memory.
+  constexpr std::size_t near_by = 32;
+  std::size_t strayed = 0, next = 0, any = 0;
+  for (const Block& block : blocks_) {
+    const std::size_t k = key(block.cell, block.soil);
+    if (count_of_cell_[k] == 0) continue;
+    strayed += first_[k] < next || first_[k] > next + near_by ? 1 : 0;
+    next = first_[k] + room_[k];
+    any = k;
+  }
+  if (strayed > blocks_.size() / 3) lay_out_again(any, scratch);
   remake_blocks(grid);
 }
 

@@ -37,17 +37,24 @@ Column& ColumnSet::require(const std::string& name) {
 }
 
 void ColumnSet::allocate() {
+  std::vector<Column*> fresh;
+  std::vector<std::size_t> counts;
   for (auto& column : columns_)
-    if (!column->provided_by_.empty() && column->values_.empty())
-      column->values_ = long_zeros(size_ * static_cast<std::size_t>(column->spec_.components));
+    if (!column->provided_by_.empty() && column->values_.empty()) {
+      fresh.push_back(column.get());
+      counts.push_back(size_ * static_cast<std::size_t>(column->spec_.components));
+    }
+  auto values = long_zeros(counts);
+  for (std::size_t k = 0; k < fresh.size(); ++k) fresh[k]->values_ = std::move(values[k]);
 }
 
 void ColumnSet::resize(std::size_t size) {
   size_ = size;
-  for (auto& column : columns_) {
-    const auto components = column->allocated() ? static_cast<std::size_t>(column->spec_.components) : 0;
-    column->replace(long_zeros(size * components), size);
-  }
+  std::vector<std::size_t> counts;
+  for (const auto& column : columns_)
+    counts.push_back(size * (column->allocated() ? static_cast<std::size_t>(column->spec_.components) : 0));
+  auto values = long_zeros(counts);
+  for (std::size_t k = 0; k < counts.size(); ++k) columns_[k]->replace(std::move(values[k]), size);
 }
 
 void ColumnSet::free_unprovided() {

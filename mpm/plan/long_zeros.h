@@ -5,8 +5,10 @@
 
 namespace wetfront::mpm {
 
-/// Zeros; long ones lie in large pages where the system has them (a kernel walks ten columns at a time, and each of them
-/// needs its own page).
+/// `count` zeros. Long ones ask for large pages: a pass over a million points in columns else spends its time looking
+/// up small ones.
 std::vector<double> long_zeros(std::size_t count);
+/// The same for several, one after the other in memory, so that large pages reach over columns shorter than one.
+std::vector<std::vector<double>> long_zeros(const std::vector<std::size_t>& counts);
 
 }  // namespace wetfront::mpm

@@ -30,6 +30,7 @@ class LinearShape {
     cell_ = block.cell;
     node_ = block.nodes;
     affine_ = grid_.affine(cell_);
+    in_rows_ = node_[1] == node_[0] + 1 && node_[2] == node_[3] + 1;
     const auto& map = grid_.map(cell_);
     for (int b = 0; b < dim; ++b) {
       centre_[b] = map.centre[b];
@@ -37,6 +38,45 @@ class LinearShape {
     }
   }
   int node(int i) const { return node_[i]; }
+  bool affine() const { return affine_; }
+  /// du_b/dx_a [1/m]: of an affine cell everywhere, of others at the centre.
+  double inverse(int b, int a) const { return inverse_[b][a]; }
+
+  /// A nodal quantity f as a polynomial of the local coordinates, ready for the points of the cell:
+  ///   f = (c0 + c1 u + c2 v + c3 u v) + w (c4 + c5 u + c6 v + c7 u v).
+  /// A quantity that all nodes share is that at the points too, to the last bit.
+  struct Field {
+    std::array<double, nodes> c;
+  };
+  template <class At>
+  [[gnu::always_inline]] Field field(const At& at_node) const {
+    Field f;
+    for (int k = 0; k < nodes; k += 4) {
+      const double f0 = at_node(k), f1 = at_node(k + 1), f2 = at_node(k + 2), f3 = at_node(k + 3);
+      f.c[k] = f0, f.c[k + 1] = f1 - f0, f.c[k + 2] = f3 - f0, f.c[k + 3] = (f2 - f1) - (f3 - f0);
+    }
+    if constexpr (dim == 3)
+      for (int k = 0; k < 4; ++k) f.c[k + 4] -= f.c[k];
+    return f;
+  }
+  [[gnu::always_inline]] static Lanes value(const Field& f, const Stencil& at) {
+    Lanes out = in_plane(f, 0, at.local);
+    if constexpr (dim == 3) out += in_plane(f, 4, at.local) * at.local[2];
+    return out;
+  }
+  /// df/du_b.
+  [[gnu::always_inline]] static Place slopes(const Field& f, const Stencil& at) {
+    const Place& u = at.local;
+    Place out;
+    out[0] = u[1] * f.c[3] + f.c[1];
+    out[1] = u[0] * f.c[3] + f.c[2];
+    if constexpr (dim == 3) {
+      out[0] += (u[1] * f.c[7] + f.c[5]) * u[2];
+      out[1] += (u[0] * f.c[7] + f.c[6]) * u[2];
+      out[2] = in_plane(f, 4, u);
+    }
+    return out;
+  }
 
   /// Mean over the cell of dN_i/dx_a.
   void mean_gradients(std::array<Vector<dim>, nodes>& mean) const {
@@ -49,6 +89,44 @@ class LinearShape {
         mean[i][a] = 0;
         for (int b = 0; b < dim; ++b) mean[i][a] += inverse_[b][a] * (node_sign(i, b) * (2.0 / nodes));
       }
+  }
+
+  /// Mean over the cell of sum_a df_a/dx_a.
+  [[gnu::always_inline]] double mean_divergence(const std::array<Field, dim>& f) const {
+    if (!affine_) return crooked_divergence(f);
+    double sum = 0;
+    for (int a = 0; a < dim; ++a) {
+      const auto& c = f[a].c;
+      double along[dim] = {c[1] + 0.5 * c[3], c[2] + 0.5 * c[3]};
+      if constexpr (dim == 3) {
+        along[0] += 0.5 * (c[5] + 0.5 * c[7]), along[1] += 0.5 * (c[6] + 0.5 * c[7]);
+        along[2] = c[4] + 0.5 * (c[5] + c[6] + 0.5 * c[7]);
+      }
+      for (int b = 0; b < dim; ++b) sum += inverse_[b][a] * along[b];
+    }
+    return sum;
+  }
+
+  /// The same with the nodes of a quadrilateral in lanes.
+  [[gnu::always_inline]] std::array<Lanes, 2> mean_gradients() const requires(dim == 2) {
+    alignas(32) static constexpr double sign[2][4] = {{-0.5, 0.5, 0.5, -0.5}, {-0.5, -0.5, 0.5, 0.5}};
+    if (!affine_) return crooked_mean_gradients();
+    const Lanes along0 = load(sign[0]), along1 = load(sign[1]);
+    return {along0 * inverse_[0][0] + along1 * inverse_[1][0], along0 * inverse_[0][1] + along1 * inverse_[1][1]};
+  }
+  /// Adds a number for each node of a quadrilateral to its entry of a column.
+  [[gnu::always_inline]] void add_to_nodes(const Lanes& value, double* to) const requires(dim == 2) {
+#ifdef __AVX__
+    if (in_rows_) {
+      const __m256d v = static_cast<__m256d>(value);
+      double *low = to + node_[0], *high = to + node_[3];
+      _mm_storeu_pd(low, _mm_add_pd(_mm_loadu_pd(low), _mm256_castpd256_pd128(v)));
+      const __m128d top = _mm256_extractf128_pd(v, 1);
+      _mm_storeu_pd(high, _mm_add_pd(_mm_loadu_pd(high), _mm_shuffle_pd(top, top, 1)));
+      return;
+    }
+#endif
+    for (int i = 0; i < nodes; ++i) to[node_[i]] += value[static_cast<std::size_t>(i)];
   }
 
   [[gnu::always_inline]] Place local(const Place& x) const {
@@ -67,6 +145,18 @@ class LinearShape {
     LaneMask out = u[0] < -border || u[0] > 1 + border;
     for (int b = 1; b < dim; ++b) out = out || u[b] < -border || u[b] > 1 + border;
     return out;
+  }
+  /// The local coordinates only; `value` of a field needs no more.
+  [[gnu::always_inline]] void places(const Place& x, Stencil& at) const {
+    at.local = local(x);
+  }
+  /// And the map; `slopes` of a field and `inverse` are its gradient.
+  [[gnu::always_inline]] void map(const Place& x, Stencil& at) const {
+    at.local = local(x);
+    each<dim>([&](auto b) __attribute__((always_inline)) {
+      for (int a = 0; a < dim; ++a) at.inverse[b][a] = Lanes(inverse_[b][a]);
+    });
+    if (!affine_) at.inverse = crooked_inverse_at(at.local);
   }
   /// Values only.
   [[gnu::always_inline]] void values(const Place& x, Stencil& at) const {
@@ -88,7 +178,12 @@ class LinearShape {
   }
 
  private:
-  static constexpr bool upper(int i, int axis) { return node_sign(i, axis) > 0; }
+  [[gnu::always_inline]] static Lanes in_plane(const Field& f, int k, const Place& u) {
+    return (u[0] * f.c[k + 3] + f.c[k + 2]) * u[1] + (u[0] * f.c[k + 1] + f.c[k]);
+  }
+  static constexpr bool upper(int i, int axis) {
+    return node_sign(i, axis) > 0;
+  }
 
   [[gnu::always_inline]] void set_values(Stencil& at) const {
     std::array<Lanes, dim> other;
@@ -123,6 +218,34 @@ class LinearShape {
       for (int a = 0; a < dim; ++a)
         for (int b = 0; b < dim; ++b) jacobian[a][b] += grid_.node(node_[i])[a] * slope[i][b];
     return inverse_of(jacobian);
+  }
+  [[gnu::noinline]] std::array<Lanes, 2> crooked_mean_gradients() const {
+    const auto mean = mpm::mean_gradients(grid_, cell_);
+    std::array<Lanes, 2> out;
+    for (int i = 0; i < 4; ++i)
+      for (int a = 0; a < 2; ++a) out[a][static_cast<std::size_t>(i)] = mean[i][a];
+    return out;
+  }
+  [[gnu::noinline]] double crooked_divergence(const std::array<Field, dim>& f) const {
+    const auto mean = mpm::mean_gradients(grid_, cell_);
+    double sum = 0;
+    for (int a = 0; a < dim; ++a)
+      for (int i = 0; i < nodes; ++i) {
+        double at_node = 0;
+        for (int k = 0; k < nodes; ++k) at_node += (belongs(k, i) ? f[a].c[k] : 0.0);
+        sum += mean[i][a] * at_node;
+      }
+    return sum;
+  }
+  /// The term k of a field counts at node i.
+  static constexpr bool belongs(int k, int i) {
+    return (k % 2 == 0 || upper(i, 0)) && (k / 2 % 2 == 0 || upper(i, 1)) && (k < 4 || upper(i, 2));
+  }
+  [[gnu::noinline]] Matrix crooked_inverse_at(Place u) const {
+    Stencil at;
+    at.local = u;
+    set_slopes(at);
+    return crooked_inverse(at.slope);
   }
   /// Newton's method from the affine guess; quadratic, a convex cell never needs 20 steps. Lanes far outside (dead
   /// slots, points about to be held) are kept within three cells. A lane that has arrived stays: how long others, dead
@@ -171,6 +294,7 @@ class LinearShape {
   std::size_t cell_ = 0;
   const int* node_ = nullptr;
   bool affine_ = true;
+  bool in_rows_ = false;  ///< the nodes of a quadrilateral are numbered along its two rows
   Vector<dim> centre_{};
   std::array<Vector<dim>, dim> inverse_{};  ///< du/dx
 };

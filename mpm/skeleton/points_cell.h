@@ -29,6 +29,7 @@ class PointsCell {
   PointsCell(const Shape& shape, const SkeletonColumns& columns, TransferParts parts)
       : shape_(shape), point_(columns), node_(columns), parts_(parts) {}
 
+  void fetch(std::size_t slot) const { point_.fetch_motion(slot); }
   void operator()(const Block& block) {
     shape_.enter(block);
     if (parts_.back)
@@ -39,19 +40,21 @@ class PointsCell {
 
  private:
   using Place = std::array<Lanes, dim>;
-  using Nodal = std::array<std::array<double, nodes>, dim>;
+  using Nodal = std::array<typename Shape::Field, dim>;
 
   template <bool back>
   [[gnu::always_inline]] void pass(const Block& block) const {
     Nodal change, velocity;
     each<dim>([&](auto a) __attribute__((always_inline)) {
-      each<nodes>([&](auto i) __attribute__((always_inline)) {
-        change[a][i] = parts_.dt * node_.acceleration[a][shape_.node(i)];
+      change[a] = shape_.field([&](int i) __attribute__((always_inline)) {
+        const int node = shape_.node(i);
+        const double gain = parts_.dt * node_.acceleration[a][node];
         // What the new velocity, whose gradient points take, lacks at light nodes.
-        if constexpr (kind == Take::affine)
-          change[a][i] *= 1 - std::min(1.0, node_.mass[shape_.node(i)] / parts_.light);
-        if constexpr (kind != Take::increments) velocity[a][i] = node_.new_velocity[a][shape_.node(i)];
+        if constexpr (kind == Take::affine) return gain * (1 - std::min(1.0, node_.mass[node] / parts_.light));
+        return gain;
       });
+      if constexpr (kind != Take::increments)
+        velocity[a] = shape_.field([&](int i) { return node_.new_velocity[a][shape_.node(i)]; });
     });
     std::array<std::array<Lanes, nodes>, dim> momentum{};
     for (std::size_t k = 0; k < block.count; k += lane_count) {
@@ -66,7 +69,7 @@ class PointsCell {
       if constexpr (kind == Take::affine) {
         shape_.all(x, at);
         take_affine(velocity, at, p, live, v);
-        each<dim>([&](auto a) __attribute__((always_inline)) { v[a] += interpolated(change[a], at); });
+        each<dim>([&](auto a) __attribute__((always_inline)) { v[a] += shape_.value(change[a], at); });
       } else {
         shape_.values(x, at);
         take(change, velocity, at, v);
@@ -80,25 +83,18 @@ class PointsCell {
       });
   }
 
-  static Lanes interpolated(const std::array<double, nodes>& values, const typename Shape::Stencil& at) {
-    Lanes sum = at.value[0] * values[0];
-    each<nodes - 1>([&](auto i) __attribute__((always_inline)) { sum += at.value[i + 1] * values[i + 1]; });
-    return sum;
-  }
   [[gnu::always_inline]] void take(const Nodal& change, const Nodal& velocity, const typename Shape::Stencil& at,
                                    Place& v) const {
     each<dim>([&](auto a) __attribute__((always_inline)) {
-      v[a] += interpolated(change[a], at);
-      if constexpr (kind == Take::blend) v[a] += (interpolated(velocity[a], at) - v[a]) * parts_.pic;
+      v[a] += shape_.value(change[a], at);
+      if constexpr (kind == Take::blend) v[a] += (shape_.value(velocity[a], at) - v[a]) * parts_.pic;
     });
   }
   void take_affine(const Nodal& velocity, const typename Shape::Stencil& at, std::size_t p, const LaneMask& live,
                    Place& v) const {
     for (int a = 0; a < dim; ++a) {
-      v[a] = interpolated(velocity[a], at);
-      Place along{};
-      for (int i = 0; i < nodes; ++i)
-        for (int b = 0; b < dim; ++b) along[b] += at.slope[i][b] * velocity[a][i];
+      v[a] = shape_.value(velocity[a], at);
+      const Place along = shape_.slopes(velocity[a], at);
       for (int d = 0; d < dim; ++d) {
         Lanes slope(0.0);
         for (int b = 0; b < dim; ++b) slope += along[b] * at.inverse[b][d];

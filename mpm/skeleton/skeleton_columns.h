@@ -28,6 +28,16 @@ struct PointPlaces {
     for (int q = 0; q < stress_components<dim>; ++q) stress[q] = (*c.stress)[q];
     for (int q = 0; c.affine != nullptr && q < dim * dim; ++q) affine[q] = (*c.affine)[q];
   }
+  /// Asks for what a later cell works on: columns are more streams than the machine foresees.
+  [[gnu::always_inline]] void fetch_motion(std::size_t slot) const {
+    for (int a = 0; a < dim; ++a) __builtin_prefetch(position[a] + slot), __builtin_prefetch(velocity[a] + slot);
+    __builtin_prefetch(mass + slot);
+  }
+  [[gnu::always_inline]] void fetch_stress(std::size_t slot) const {
+    for (int q = 0; q < stress_components<dim>; ++q) __builtin_prefetch(stress[q] + slot);
+    __builtin_prefetch(volume + slot);
+  }
+
   std::array<double*, dim> position, velocity;
   std::array<double*, stress_components<dim>> stress;
   std::array<double*, dim * dim> affine{};
@@ -46,13 +56,13 @@ struct NodePlaces {
 };
 
 /// Lanes that hold points among four slots, of which `left` and fewer are live.
-inline LaneMask live_lanes(std::size_t left) {
+[[gnu::always_inline]] inline LaneMask live_lanes(std::size_t left) {
   static constexpr double index[lane_count] = {0, 1, 2, 3};
   return load(index) < static_cast<double>(left);
 }
 
 /// Stores what a full chunk of lanes holds; beyond the live points nothing changes.
-inline void store_live(const Lanes& value, double* to, const LaneMask& live) {
+[[gnu::always_inline]] inline void store_live(const Lanes& value, double* to, const LaneMask& live) {
   store(select(live, value, load(to)), to);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mpm/plan/stage_plan.h"
-#include "mpm/skeleton/gather_cell.h"
+#include "mpm/skeleton/gather_quads.h"
 #include "mpm/skeleton/move_cell.h"
 #include "mpm/skeleton/points_cell.h"
 
@@ -52,6 +52,8 @@ class ShapeMotion : public SoilMotion<dim> {
     const auto over = [blocks](auto cell) {
       for (const Block& block : blocks) cell(block);
     };
+    if constexpr (std::is_same_v<Shape, LinearShape<2>>)
+      if (columns_.affine == nullptr) return GatherQuads(shape_, columns_, parts)(blocks);
     if (columns_.affine != nullptr)
       over(GatherCell<dim, Shape, true>(shape_, columns_, parts));
     else
@@ -75,7 +77,11 @@ class ShapeMotion : public SoilMotion<dim> {
   }
   void points(Blocks blocks, TransferParts parts) const override {
     const auto over = [blocks](auto cell) {
-      for (const Block& block : blocks) cell(block);
+      constexpr std::size_t ahead = 4;
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (b + ahead < blocks.size()) cell.fetch(blocks[b + ahead].first);
+        cell(blocks[b]);
+      }
     };
     if (columns_.affine != nullptr)
       over(PointsCell<dim, Shape, Take::affine>(shape_, columns_, parts));
@@ -102,8 +108,7 @@ class LawMotion final : public ShapeMotion<dim, Shape> {
         memory_(setting.memory(Law::memory_specs(dim))) {}
 
   void move(Blocks blocks, MoveParts parts, MoveFindings& found) const override {
-    MoveCell<dim, Shape, Law> cell(this->shape_, this->columns_, memory_, law_, parts);
-    for (const Block& block : blocks) cell(block, altitude_[block.cell], found);
+    MoveCells<dim, Shape, Law>(this->shape_, this->columns_, memory_, law_, parts)(blocks, altitude_, found);
   }
   void rates(Blocks blocks, MoveFindings& found) const override {
     const SkeletonColumns& c = this->columns_;

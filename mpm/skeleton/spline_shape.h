@@ -48,6 +48,39 @@ class SplineShape {
     for (int b = 1; b < dim; ++b) out = out || t[b] < -border || t[b] > 1 + border;
     return out;
   }
+  /// As LinearShape's: a nodal quantity and its values and slopes at the points.
+  struct Field {
+    std::array<double, nodes> at_node;
+  };
+  template <class At>
+  Field field(const At& at_node) const {
+    Field f;
+    for (int i = 0; i < nodes; ++i) f.at_node[i] = at_node(i);
+    return f;
+  }
+  static Lanes value(const Field& f, const Stencil& at) {
+    Lanes out = at.value[0] * f.at_node[0];
+    for (int i = 1; i < nodes; ++i) out += at.value[i] * f.at_node[i];
+    return out;
+  }
+  static Place slopes(const Field& f, const Stencil& at) {
+    Place out;
+    for (int b = 0; b < dim; ++b) {
+      out[b] = at.slope[0][b] * f.at_node[0];
+      for (int i = 1; i < nodes; ++i) out[b] += at.slope[i][b] * f.at_node[i];
+    }
+    return out;
+  }
+  double mean_divergence(const std::array<Field, dim>& f) const {
+    std::array<Vector<dim>, nodes> mean;
+    mean_gradients(mean);
+    double sum = 0;
+    for (int i = 0; i < nodes; ++i)
+      for (int a = 0; a < dim; ++a) sum += mean[i][a] * f[a].at_node[i];
+    return sum;
+  }
+  void places(const Place& x, Stencil& at) const { values(x, at); }
+  void map(const Place& x, Stencil& at) const { all(x, at); }
   void values(const Place& x, Stencil& at) const {
     at.local = local(x);
     Factors value;

@@ -1,5 +1,6 @@
 #include "mpm/grid/column_vector.h"
-#include "mpm/two_velocity/moving_liquid.h"
+#include "mpm/skeleton/skeleton_columns.h"
+#include "mpm/two_velocity/over_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +17,15 @@ void MovingLiquid<dim>::balance(double dt, bool as_printed) {
     const LiquidBlock<dim>& sums = blocks_[at];
     return sums.part * outflow(cell_of(at), flux) * (as_printed ? sums.water / sums.volume : 1.0);
   };
-  for (const Block& block : plan_.fields.points.blocks()) {
-    const std::size_t at = place(block);
-    const LiquidBlock<dim>& sums = blocks_[at];
-    if (sums.group >= 0) continue;
-    const double out = dt * leaves(at);
-    drain({&block, 1}, out / sums.volume, (sums.water - out) / sums.pores);
-  }
+  over_cells([&](std::span<const Block> blocks, Found&) {
+    for (const Block& block : blocks) {
+      const std::size_t at = place(block);
+      const LiquidBlock<dim>& sums = blocks_[at];
+      if (sums.group >= 0) continue;
+      const double out = dt * leaves(at);
+      drain({&block, 1}, out / sums.volume, (sums.water - out) / sums.pores);
+    }
+  });
   for (std::size_t g = 0; g < group_count_; ++g) {
     const LiquidGroup& group = groups_[g];
     double out = 0;
@@ -43,38 +46,47 @@ void MovingLiquid<dim>::balance(double dt, bool as_printed) {
 /// thousandths beyond, would bring hundreds of kPa into the next cell. Else what is beyond the bounds of a point goes
 /// to the others, or comes from them.
 template <int dim>
-void MovingLiquid<dim>::drain(std::span<const Block> blocks, double per_volume, double content) {
+void MovingLiquid<dim>::drain(std::span<const Block> blocks, double per_volume, double content) const {
   const LiquidLaws& laws = laws_[static_cast<std::size_t>(blocks[0].soil)];
   const double full = laws.content.saturated(), per_density = 1 / laws.grain_density;
   double* water = (*points_.water)[0];
   const double *volume = (*points_.volume)[0], *mass = (*points_.mass)[0];
-  const auto each_point = [blocks](const auto& body) {
+  // body(water, pores) gives the water that four points hold from now on; dead slots have no pores and hold none.
+  const auto each_four = [&](const auto& body) {
     for (const Block& block : blocks)
-      for (std::size_t q = block.first; q < block.first + block.count; ++q) body(q);
+      for (std::size_t q = block.first; q < block.first + block.count; q += lane_count) {
+        const Lanes pores = load(volume + q) - load(mass + q) * per_density;
+        store_live(body(load(water + q), pores, q), water + q, live_lanes(block.first + block.count - q));
+      }
   };
-  const auto pores = [&](std::size_t q) { return volume[q] - mass[q] * per_density; };
   if (content >= full) {
-    each_point([&](std::size_t q) { water[q] = content * pores(q); });
+    each_four([&](const Lanes&, const Lanes& pores, std::size_t) { return content * pores; });
     return;
   }
-  double surplus = 0, room = 0, lack = 0, spare = 0;
+  Lanes surpluses(0.0), rooms(0.0), lacks(0.0), spares(0.0);
+  const Lanes nothing(0.0);
   const double least = std::min(laws.driest, content);
-  each_point([&](std::size_t q) {
-    water[q] -= per_volume * volume[q];
-    const double over = water[q] - full * pores(q), above = water[q] - least * pores(q);
-    (over > 0 ? surplus : room) += std::abs(over);
-    (above < 0 ? lack : spare) += std::abs(above);
+  each_four([&](const Lanes& held, const Lanes& pores, std::size_t q) {
+    const Lanes left = held - per_volume * load(volume + q), over = left - full * pores, above = left - least * pores;
+    surpluses += max(over, nothing), rooms -= min(over, nothing);
+    lacks -= min(above, nothing), spares += max(above, nothing);
+    return left;
   });
-  if (surplus > 0)
-    each_point([&](std::size_t q) {
-      const double over = water[q] - full * pores(q);
-      water[q] -= over > 0 ? over : over * (surplus / room);
+  const double surplus = mpm::sum(surpluses), lack = mpm::sum(lacks);
+  if (surplus > 0) {
+    const double share = surplus / mpm::sum(rooms);
+    each_four([&](const Lanes& held, const Lanes& pores, std::size_t) {
+      const Lanes over = held - full * pores;
+      return held - select(over > 0.0, over, over * share);
     });
-  if (lack > 0)
-    each_point([&](std::size_t q) {
-      const double above = water[q] - least * pores(q);
-      water[q] -= above < 0 ? above : above * (lack / spare);
+  }
+  if (lack > 0) {
+    const double share = lack / mpm::sum(spares);
+    each_four([&](const Lanes& held, const Lanes& pores, std::size_t) {
+      const Lanes above = held - least * pores;
+      return held - select(above < 0.0, above, above * share);
     });
+  }
 }
 
 template void MovingLiquid<2>::balance(double, bool);

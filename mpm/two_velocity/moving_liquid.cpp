@@ -1,6 +1,7 @@
 #include "mpm/two_velocity/moving_liquid.h"
 
 #include "mpm/laws/soil_water.h"
+#include "mpm/two_velocity/over_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +20,16 @@ MovingLiquid<dim>::MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& wat
       body_(plan),
       geometry_(cell_geometry(plan.fields.grid)),
       blocks_(plan.fields.grid.cell_count() * plan.problem.soils.size()),
+      team_(plan.problem.threads),
+      chunks_(plan.fields.grid.cell_count(), plan.fields.grid.node_count(),
+              [&grid = plan.fields.grid](std::size_t cell) {
+                return std::vector<int>(grid.cell_nodes_of(cell), grid.cell_nodes_of(cell) + cell_nodes<dim>);
+              }),
+      found_(chunks_.size() * plan.problem.soils.size()),
       shares_(blocks_.size()),
       nodes_(plan.fields.grid.node_count()),
+      gifts_(plan.fields.grid.node_count()),
       back_(plan.fields.grid.node_count()),
-      towards_(plan.fields.grid.node_count()),
       solid_at_(plan.fields.grid.node_count()),
       decided_(plan.fields.grid.node_count()),
       drag_(plan.fields.grid.node_count()),
@@ -76,12 +83,22 @@ void MovingLiquid<dim>::begin_body() {
 template <int dim>
 void MovingLiquid<dim>::sum() {
   if (body_.update()) begin_body();
+  if (version_ != plan_.fields.points.version()) {
+    chunks_.update(plan_.fields.points, static_cast<int>(laws_.size()));
+    version_ = plan_.fields.points.version();
+  }
   const LiquidNode<dim> nothing{};
   for (int i : body_.nodes()) nodes_[static_cast<std::size_t>(i)] = nothing;
+  over_cells([this](std::span<const Block> blocks, Found& found) { sum_cells(blocks, found); });
   stored_ = held_ = 0;
-  LinearShape<dim> shape(plan_.fields.grid);
-  for (const Block& block : plan_.fields.points.blocks())
-    sum_block(block, shape, laws_[static_cast<std::size_t>(block.soil)]);
+  for (const Found& found : found_) {
+    if (found.burst != Found::none) {
+      const LiquidBlock<dim>& sums = blocks_[found.burst];
+      pressure_at(laws_of(found.burst), sums.water / sums.pores, sums.centre, cell_of(found.burst));
+    }
+    stored_ += found.stored;
+    held_ += found.held;
+  }
   if (laws_.size() > 1) find_parts();
   group_slivers();
   open_faces();
@@ -89,74 +106,142 @@ void MovingLiquid<dim>::sum() {
   finish_nodes();
 }
 
-/// Of a cell: sums over its points to the cell and its nodes; inside the body its pressure too.
+/// Sums over points of cells to the cells and their nodes; inside the body pressures too. By the batch: the pressures
+/// of cells are found one after the other, so that their chains of operations overlap.
 template <int dim>
-void MovingLiquid<dim>::sum_block(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws) {
+void MovingLiquid<dim>::sum_cells(std::span<const Block> blocks, Found& found) {
+  constexpr std::size_t batch = 16;
+  found = {};
+  std::array<Shares, batch> shares;
+  LinearShape<dim> shape(plan_.fields.grid);
+  for (; !blocks.empty(); blocks = blocks.subspan(std::min(batch, blocks.size()))) {
+    const auto some = blocks.first(std::min(batch, blocks.size()));
+    const LiquidLaws& laws = laws_[static_cast<std::size_t>(some[0].soil)];
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      sum_points(some[k], shape, laws, shares[k]);
+      found.held += blocks_[place(some[k])].water;
+      if (body_.is_near_surface(some[k].cell)) shares_[place(some[k])] = shares[k];
+    }
+    for (const Block& block : some)
+      if (!body_.is_near_surface(block.cell)) find_pressure(block, laws, found);
+    for (std::size_t k = 0; k < some.size(); ++k) give_pressure(some[k], shares[k]);
+  }
+}
+
+namespace {
+
+/// Adds four numbers that lie one after the other.
+[[gnu::always_inline]] inline void add(const Lanes& value, double* to) {
+  store(load(to) + value, to);
+}
+
+}  // namespace
+
+/// Sums of V, W, W (v_l - v_s) over a cell's points to its nodes, and what the cell itself holds.
+template <int dim>
+void MovingLiquid<dim>::sum_points(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws, Shares& share) {
   shape.enter(block);
-  NodeSums<dim> share, water;
-  std::array<NodeSums<dim>, dim> momentum;
-  Lanes first_moment{};  // sum V x (per axis), then mass
-  const std::size_t end = block.first + block.count;
+  // Per node: V, W and W (v_l - v_s), as LiquidNode holds them.
+  constexpr int values = 2 + dim;
+  std::array<std::array<Lanes, cell_nodes<dim> / lane_count>, values> sums_of{};
+  Lanes first_moment(0.0);  // sum V x (per axis), then mass
   const double *volume = (*points_.volume)[0], *wet = (*points_.water)[0], *mass = (*points_.mass)[0];
   typename LinearShape<dim>::Stencil at;
-  for (std::size_t q = block.first; q < end; q += lane_count) {
+  for (std::size_t q = block.first; q < block.first + block.count; q += lane_count) {
     std::array<Lanes, dim> x;
     for (int a = 0; a < dim; ++a) x[a] = load((*points_.position)[a] + q);
     shape.values(x, at);
     const Lanes v = load(volume + q), w = load(wet + q);
-    share.add(v, at.value);
-    water.add(w, at.value);
-    std::array<Lanes, 3> moment{};
+    std::array<Lanes, 4> weigh{v, w, w, w};  // 2-D: the four values of a node
+    std::array<Lanes, 3> moment{}, flow{};
     for (int a = 0; a < dim; ++a) {
-      momentum[a].add(w * (load((*points_.velocity)[a] + q) - load((*points_.solid_velocity)[a] + q)), at.value);
+      flow[a] = w * (load((*points_.velocity)[a] + q) - load((*points_.solid_velocity)[a] + q));
       moment[a] = v * x[a];
     }
     first_moment += mpm::sums(moment[0], moment[1], moment[2], load(mass + q));
+    if constexpr (dim == 2) {
+      weigh[2] = flow[0], weigh[3] = flow[1];
+      each<4>([&](auto i) __attribute__((always_inline)) {
+        const Lanes& n = at.value[i];
+        sums_of[i][0] += mpm::sums(weigh[0] * n, weigh[1] * n, weigh[2] * n, weigh[3] * n);
+      });
+    } else {
+      for (int g = 0; g < cell_nodes<dim> / lane_count; ++g)
+        for (int k = 0; k < values; ++k) {
+          const Lanes& by = k == 0 ? v : k == 1 ? w : flow[static_cast<std::size_t>(k - 2)];
+          const Lanes* n = &at.value[static_cast<std::size_t>(lane_count * g)];
+          sums_of[static_cast<std::size_t>(k)][static_cast<std::size_t>(g)] +=
+              mpm::sums(by * n[0], by * n[1], by * n[2], by * n[3]);
+        }
+    }
   }
-  double shares[cell_nodes<dim>], waters[cell_nodes<dim>], momenta[dim][cell_nodes<dim>];
-  share.copy_to(shares);
-  water.copy_to(waters);
-  for (int a = 0; a < dim; ++a) momentum[a].copy_to(momenta[a]);
-
+  double all[values][cell_nodes<dim>], moments[lane_count];
+  store(first_moment, moments);
+  if constexpr (dim == 2) {
+    for (int i = 0; i < 4; ++i) {
+      add(sums_of[static_cast<std::size_t>(i)][0], &nodes_[static_cast<std::size_t>(block.nodes[i])].volume);
+      for (int k = 0; k < 2; ++k) all[k][i] = sums_of[static_cast<std::size_t>(i)][0][static_cast<std::size_t>(k)];
+    }
+  } else {
+    for (std::size_t k = 0; k < values; ++k)
+      for (std::size_t g = 0; g < cell_nodes<dim> / lane_count; ++g) store(sums_of[k][g], all[k] + lane_count * g);
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      LiquidNode<dim>& node = nodes_[static_cast<std::size_t>(block.nodes[i])];
+      node.volume += all[0][i];
+      node.water += all[1][i];
+      for (int a = 0; a < dim; ++a) node.momentum[a] += all[2 + a][i];
+    }
+  }
   LiquidBlock<dim>& sums = blocks_[place(block)];
   sums.volume = sums.water = 0;
   for (int i = 0; i < cell_nodes<dim>; ++i) {
-    sums.volume += shares[i];
-    sums.water += waters[i];
+    share[i] = all[0][i];
+    sums.volume += all[0][i];
+    sums.water += all[1][i];
   }
   const double per_volume = 1 / sums.volume;
-  for (int a = 0; a < dim; ++a) sums.centre[a] = first_moment[a] * per_volume;
-  sums.pores = sums.volume - first_moment[3] / laws.grain_density;
-  find_push(block, shape, shares, sums);
-  held_ += sums.water;
+  for (int a = 0; a < dim; ++a) sums.centre[a] = moments[a] * per_volume;
+  sums.pores = sums.volume - moments[3] / laws.grain_density;
+  find_push(block, shape, share, sums);
+}
+
+/// Of a cell inside the body.
+template <int dim>
+void MovingLiquid<dim>::find_pressure(const Block& block, const LiquidLaws& laws, Found& found) {
+  LiquidBlock<dim>& sums = blocks_[place(block)];
+  sums.group = -1;
+  sums.fill = 1;
+  const double content = sums.water / sums.pores, p = laws.content.pressure_of(content);
+  if (!explains(p) && found.burst == Found::none) found.burst = place(block);
+  take_pressure(place(block), p, content, laws);
+  found.stored += sums.pores * laws.content.value(p);
+}
+
+/// What a cell brings to its nodes once its pressure is known; at the surface that comes later.
+template <int dim>
+void MovingLiquid<dim>::give_pressure(const Block& block, const Shares& share) {
+  const LiquidBlock<dim>& sums = blocks_[place(block)];
   const bool inside = !body_.is_near_surface(block.cell);
-  if (inside) {
-    sums.group = -1;
-    sums.fill = 1;
-    const double content = sums.water / sums.pores;
-    take_pressure(place(block), pressure_at(laws, content, sums.centre, block.cell), content, laws);
-    stored_ += sums.pores * laws.content.value(sums.pressure);
+  const double pressure = inside ? sums.pressure : 0, mobility = inside ? sums.mobility : 0;
+  if constexpr (dim == 2) {
+    const double values[4] = {pressure, sums.centre[0], sums.centre[1], mobility};
+    const Lanes given = load(values);
+    for (int i = 0; i < 4; ++i) add(given * share[i], &nodes_[static_cast<std::size_t>(block.nodes[i])].pressure);
   } else {
-    std::copy(std::begin(shares), std::end(shares), shares_[place(block)].begin());
-  }
-  for (int i = 0; i < cell_nodes<dim>; ++i) {
-    LiquidNode<dim>& node = nodes_[static_cast<std::size_t>(block.nodes[i])];
-    node.volume += shares[i];
-    node.water += waters[i];
-    for (int a = 0; a < dim; ++a) {
-      node.momentum[a] += momenta[a][i];
-      node.centre[a] += shares[i] * sums.centre[a];
+    for (int i = 0; i < cell_nodes<dim>; ++i) {
+      LiquidNode<dim>& node = nodes_[static_cast<std::size_t>(block.nodes[i])];
+      node.pressure += share[i] * pressure;
+      for (int a = 0; a < dim; ++a) node.centre[a] += share[i] * sums.centre[a];
+      node.mobility += share[i] * mobility;
     }
-    node.pressure += inside ? shares[i] * sums.pressure : 0.0;
-    node.mobility += inside ? shares[i] * sums.mobility : 0.0;
   }
 }
 
 /// sum_p V_p grad N_i. In an affine cell dN_i/dxi_b is +-1/2 times the product of the other axes' factors, which is
 /// N_i plus N of the partner along b.
 template <int dim>
-void MovingLiquid<dim>::find_push(const Block& block, const LinearShape<dim>& shape,
-                                  const double (&share)[cell_nodes<dim>], LiquidBlock<dim>& sums) const {
+void MovingLiquid<dim>::find_push(const Block& block, const LinearShape<dim>& shape, const Shares& share,
+                                  LiquidBlock<dim>& sums) const {
   if (plan_.problem.skeleton.locking == LockingRemedy::b_bar) {
     // The gradient that the skeleton's change of volume has: what p works on.
     std::array<Vector<dim>, cell_nodes<dim>> mean;
@@ -215,12 +300,18 @@ void MovingLiquid<dim>::find_parts() {
   }
 }
 
+/// Water compressed by a tenth or drawn to half its density: no soil is there, the scheme has blown up.
+template <int dim>
+bool MovingLiquid<dim>::explains(double pressure) const {
+  const double K = plan_.problem.water->bulk_modulus;
+  return pressure < 0.1 * K && pressure > -0.5 * K;
+}
+
 template <int dim>
 double MovingLiquid<dim>::pressure_at(const LiquidLaws& laws, double content, const Vector<dim>& centre,
                                       std::size_t cell) const {
-  const double p = laws.content.pressure_of(content), K = plan_.problem.water->bulk_modulus;
-  // Water compressed by a tenth or drawn to half its density: no soil is there, the scheme has blown up.
-  if (p < 0.1 * K && p > -0.5 * K) return p;
+  const double p = laws.content.pressure_of(content);
+  if (explains(p)) return p;
   throw StepFailed("the two-velocity scheme has blown up: cell " + std::to_string(cell) + " at " +
                    place_text<dim>(centre) + " holds " + std::to_string(content) +
                    " of its pores, which no pressure explains" + step_against_limit<dim>(plan_, w_));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "mpm/grid/chunks.h"
+#include "mpm/plan/team.h"
 #include "mpm/two_velocity/blow_up.h"
 #include "mpm/two_velocity/coupled_limit.h"
 #include "mpm/two_velocity/moving_cells.h"
@@ -60,17 +62,34 @@ class MovingLiquid {
   const LiquidLaws& laws_of(std::size_t place) const { return laws_[place / geometry_.size()]; }
   template <class Body>
   void near_surface(const Body& body) const;
-  void sum_block(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws);
+  /// What a run of cells finds while the others look at theirs; added up in their order.
+  struct Found {
+    static constexpr std::size_t none = ~std::size_t{0};
+    double stored = 0, held = 0;  ///< m^dim
+    std::size_t burst = none;     ///< the first place whose content no pressure explains
+    double worst = 0;             ///< 1/dt
+  };
+  using Shares = std::array<double, cell_nodes<dim>>;
+  template <class Body>
+  void over_cells(const Body& body);
+  template <class Body>
+  void over_nodes(const Body& body);
+  void sum_cells(std::span<const Block> blocks, Found& found);
+  void sum_points(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws, Shares& share);
+  void find_pressure(const Block& block, const LiquidLaws& laws, Found& found);
+  void give_pressure(const Block& block, const Shares& share);
+  void points_of(const Block& block, LinearShape<dim>& shape, double share);
+  void limit_of(const Block& block, const LiquidLaws& laws, double modulus, double ahead, Found& found) const;
+  bool explains(double pressure) const;
   void push_of_crooked_cell(const Block& block, const LinearShape<dim>& shape, LiquidBlock<dim>& sums) const;
   bool near_kink(const LiquidBlock<dim>& sums, double change, const LiquidLaws& laws) const;
   double fill_of(std::size_t cell) const;
-  void find_push(const Block& block, const LinearShape<dim>& shape, const double (&share)[cell_nodes<dim>],
-                 LiquidBlock<dim>& sums) const;
+  void find_push(const Block& block, const LinearShape<dim>& shape, const Shares& share, LiquidBlock<dim>& sums) const;
   double pressure_at(const LiquidLaws& laws, double content, const Vector<dim>& centre, std::size_t cell) const;
   void take_pressure(std::size_t place, double pressure, double content, const LiquidLaws& laws);
   void group_slivers();
   void share_pressures();
-  void drain(std::span<const Block> blocks, double per_volume, double content);
+  void drain(std::span<const Block> blocks, double per_volume, double content) const;
   double outflow(std::size_t cell, const std::array<double*, dim>& flux) const;
   void finish_nodes();
   void add_flow_volume();
@@ -87,13 +106,22 @@ class MovingLiquid {
   std::vector<std::size_t> narrowed_;  ///< cells whose faces are open in part
   std::vector<LiquidLaws> laws_;
   std::vector<LiquidBlock<dim>> blocks_;
-  std::vector<std::array<double, cell_nodes<dim>>> shares_;  ///< sum_p V_p N_i of cells near the surface, by place
+  Team team_;  ///< of its own: those who wait sleep while the skeleton's work
+  Chunks<dim> chunks_;
+  std::vector<Found> found_;    ///< per soil and chunk
+  long version_ = -1;           ///< of the points' cells when the chunks were found
+  std::vector<Shares> shares_;  ///< sum_p V_p N_i of cells near the surface, by place
   std::vector<LiquidGroup> groups_;
   std::size_t group_count_ = 0;
   std::vector<Block> members_;  ///< of the group at hand
   std::vector<LiquidNode<dim>> nodes_;
+  /// What points take of a node.
+  struct Gift {
+    Vector<dim> change;   ///< v_l' - v_l [m/s]
+    Vector<dim> towards;  ///< what their v_l - v_s is drawn to [m/s]
+  };
+  std::vector<Gift> gifts_;
   std::vector<Vector<dim>> back_;      ///< (W (v_l - v_s))_i mapped back
-  std::vector<Vector<dim>> towards_;   ///< what the points' v_l - v_s is drawn to
   std::vector<Vector<dim>> solid_at_;  ///< v_s at the start of the step
   std::vector<Vector<dim>> decided_;   ///< v_s' of liquid and skeleton alone
   double least_drag_ = 0;              ///< of the body's nodes [1/s]

@@ -1,5 +1,5 @@
 #include "mpm/grid/column_vector.h"
-#include "mpm/two_velocity/moving_liquid.h"
+#include "mpm/two_velocity/over_cells.h"
 
 #include <algorithm>
 
@@ -131,21 +131,20 @@ void MovingLiquid<dim>::finish_nodes() {
   double *mobility = (*w_.mobility)[0], *of_cells = (*w_.cell_mobility)[0];
   const auto offset = axes<dim>(*w_.offset);
   const bool one_soil = laws_.size() == 1;
-  for (int index : body_.nodes()) {
-    const auto i = static_cast<std::size_t>(index);
+  over_nodes([&](std::size_t i) {
     const LiquidNode<dim>& node = nodes_[i];
     const double per_volume = 1 / node.volume;
     volume[i] = node.volume;
     content[i] = node.water * per_volume;
     double p = node.pressure * per_volume;
     for (int a = 0; a < dim; ++a) {
-      offset[a][i] = plan_.fields.grid.node(index)[a] - node.centre[a] * per_volume;
+      offset[a][i] = plan_.fields.grid.node(static_cast<int>(i))[a] - node.centre[a] * per_volume;
       p += weight_[a] * offset[a][i];
     }
     pressure[i] = p;
     of_cells[i] = node.mobility * per_volume;
     mobility[i] = (one_soil ? of_cells[i] + 2 * laws_[0].mobility(p) : of_cells[i]) / 3;
-  }
+  });
   if (!one_soil)
     for (const Block& block : plan_.fields.points.blocks()) {
       const LiquidLaws& laws = laws_[static_cast<std::size_t>(block.soil)];

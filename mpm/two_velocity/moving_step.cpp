@@ -1,6 +1,6 @@
 #include "mpm/grid/column_vector.h"
 #include "mpm/skeleton/skeleton_columns.h"
-#include "mpm/two_velocity/moving_liquid.h"
+#include "mpm/two_velocity/over_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,7 @@ template <int dim>
 void MovingLiquid<dim>::add_force() {
   const auto velocity = axes<dim>(*w_.velocity), force = axes<dim>(*w_.force);
   const auto solid = axes<dim>(w_.moving->velocity_column()), pull = axes<dim>(w_.moving->force());
-  for (int index : body_.nodes()) {
-    const auto i = static_cast<std::size_t>(index);
+  over_nodes([&](std::size_t i) {
     const LiquidNode<dim>& node = nodes_[i];
     Vector<dim> v{};
     const double per_water = node.water > 0 ? 1 / node.water : 0;
@@ -28,7 +27,7 @@ void MovingLiquid<dim>::add_force() {
       force[a][i] = 0;
       pull[a][i] += weight_[a] * node.water;
     }
-  }
+  });
   for (const Hanging& h : hanging_)
     for (int a = 0; a < dim; ++a) force[a][h.node] += h.force[a];
   // At p = 0 on the surface itself, not on the nodes beyond it.
@@ -37,17 +36,19 @@ void MovingLiquid<dim>::add_force() {
     const double hanging = beyond * dot<dim>(weight_, r.area) / length<dim>(r.area);
     for (int a = 0; a < dim; ++a) force[a][r.node] -= r.area[a] * hanging;
   }
-  for (const Block& block : plan_.fields.points.blocks()) {
-    const LiquidBlock<dim>& sums = blocks_[place(block)];
-    const auto& faces = geometry_[block.cell].faces;
-    const double head = sums.part * (sums.pressure - dot<dim>(weight_, sums.centre));
-    const double pore = sums.saturation * sums.pressure;
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      for (int a = 0; a < dim; ++a) {
-        force[a][block.nodes[i]] += head * faces[i][a];
-        pull[a][block.nodes[i]] += pore * sums.push[i][a];
-      }
-  }
+  over_cells([&](std::span<const Block> blocks, Found&) {
+    for (const Block& block : blocks) {
+      const LiquidBlock<dim>& sums = blocks_[place(block)];
+      const auto& faces = geometry_[block.cell].faces;
+      const double head = sums.part * (sums.pressure - dot<dim>(weight_, sums.centre));
+      const double pore = sums.saturation * sums.pressure;
+      for (int i = 0; i < cell_nodes<dim>; ++i)
+        for (int a = 0; a < dim; ++a) {
+          force[a][block.nodes[i]] += head * faces[i][a];
+          pull[a][block.nodes[i]] += pore * sums.push[i][a];
+        }
+    }
+  });
 }
 
 /// Eqs 10 and 11 with the drag, both phases at once.
@@ -92,60 +93,63 @@ void MovingLiquid<dim>::points(double dt) {
   const auto before = axes<dim>(*w_.velocity), after = axes<dim>(*w_.velocity_new);
   constexpr double most_share = 0.02;
   const double share = most_share * dt * least_drag_ / (1 + dt * least_drag_);
-  for (int index : body_.nodes()) {
-    const auto i = static_cast<std::size_t>(index);
+  over_nodes([&](std::size_t i) {
     back_[i] = {};
     const Vector<dim> solid_new = w_.moving->get_new(solid_at_[i], i, dt);
     const double per_water = nodes_[i].water > 0 ? 1 / nodes_[i].water : 0;
     for (int a = 0; a < dim; ++a) {
       const double against = before[a][i] - solid_at_[i][a];
-      towards_[i][a] = after[a][i] - solid_new[a] + (nodes_[i].momentum[a] * per_water - against);
+      gifts_[i].change[a] = after[a][i] - before[a][i];
+      gifts_[i].towards[a] = after[a][i] - solid_new[a] + (nodes_[i].momentum[a] * per_water - against);
     }
-  }
-  LinearShape<dim> shape(plan_.fields.grid);
-  typename LinearShape<dim>::Stencil at;
-  for (const Block& block : plan_.fields.points.blocks()) {
-    std::array<Vector<dim>, cell_nodes<dim>> change, towards;
-    for (int i = 0; i < cell_nodes<dim>; ++i) {
-      towards[i] = towards_[static_cast<std::size_t>(block.nodes[i])];
-      for (int a = 0; a < dim; ++a) change[i][a] = after[a][block.nodes[i]] - before[a][block.nodes[i]];
-    }
-    std::array<NodeSums<dim>, dim> momentum;
-    const std::size_t end = block.first + block.count;
-    shape.enter(block);
-    for (std::size_t q = block.first; q < end; q += lane_count) {
-      const LaneMask live = live_lanes(end - q);
-      std::array<Lanes, dim> x;
-      for (int a = 0; a < dim; ++a) x[a] = load((*points_.position)[a] + q);
-      shape.values(x, at);
-      const Lanes w = load((*points_.water)[0] + q);
-      for (int a = 0; a < dim; ++a) {
-        double* place = (*points_.velocity)[a] + q;
-        const Lanes solid = load((*points_.solid_velocity)[a] + q);
-        Lanes u = load(place) - solid, mean(0.0);
-        for (int i = 0; i < cell_nodes<dim>; ++i) {
-          u += at.value[i] * change[i][a];
-          mean += at.value[i] * towards[i][a];
-        }
-        u -= share * (u - mean);
-        store_live(u + solid, place, live);
-        momentum[a].add(w * u, at.value);
-      }
-    }
-    double sums[dim][cell_nodes<dim>];
-    for (int a = 0; a < dim; ++a) momentum[a].copy_to(sums[a]);
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      for (int a = 0; a < dim; ++a) back_[static_cast<std::size_t>(block.nodes[i])][a] += sums[a][i];
-  }
+  });
+  over_cells([&](std::span<const Block> blocks, Found&) {
+    LinearShape<dim> shape(plan_.fields.grid);
+    for (const Block& block : blocks) points_of(block, shape, share);
+  });
   const auto velocity = axes<dim>(*w_.velocity), solid = axes<dim>(w_.moving->velocity_column());
-  for (int index : body_.nodes()) {
-    const auto i = static_cast<std::size_t>(index);
+  over_nodes([&](std::size_t i) {
     const double per_water = nodes_[i].water > 0 ? 1 / nodes_[i].water : 0;
     Vector<dim> v{};
     for (int a = 0; a < dim; ++a) v[a] = back_[i][a] * per_water;
     w_.walls.project(i, v);
     for (int a = 0; a < dim; ++a) velocity[a][i] = v[a] + solid[a][i];
+  });
+}
+
+/// Of one cell.
+template <int dim>
+void MovingLiquid<dim>::points_of(const Block& block, LinearShape<dim>& shape, double share) {
+  shape.enter(block);
+  using Field = typename LinearShape<dim>::Field;
+  std::array<Field, dim> change, towards;
+  for (std::size_t a = 0; a < dim; ++a) {
+    const auto gift = [&](int i) -> const Gift& { return gifts_[static_cast<std::size_t>(block.nodes[i])]; };
+    change[a] = shape.field([&](int i) { return gift(i).change[a]; });
+    towards[a] = shape.field([&](int i) { return gift(i).towards[a]; });
   }
+  std::array<NodeSums<dim>, dim> momentum;
+  typename LinearShape<dim>::Stencil at;
+  const std::size_t end = block.first + block.count;
+  for (std::size_t q = block.first; q < end; q += lane_count) {
+    const LaneMask live = live_lanes(end - q);
+    std::array<Lanes, dim> x;
+    for (int a = 0; a < dim; ++a) x[a] = load((*points_.position)[a] + q);
+    shape.values(x, at);
+    const Lanes w = load((*points_.water)[0] + q);
+    for (int a = 0; a < dim; ++a) {
+      double* place = (*points_.velocity)[a] + q;
+      const Lanes solid = load((*points_.solid_velocity)[a] + q);
+      Lanes u = load(place) - solid + shape.value(change[a], at);
+      u -= share * (u - shape.value(towards[a], at));
+      store_live(u + solid, place, live);
+      momentum[a].add(w * u, at.value);
+    }
+  }
+  double sums[dim][cell_nodes<dim>];
+  for (int a = 0; a < dim; ++a) momentum[a].copy_to(sums[a]);
+  for (int i = 0; i < cell_nodes<dim>; ++i)
+    for (int a = 0; a < dim; ++a) back_[static_cast<std::size_t>(block.nodes[i])][a] += sums[a][i];
 }
 
 /// Step IV: w_i = (nS)_i (v_l - v_s)_i; from here on the column "liquid velocity" holds v_l - v_s.
@@ -154,12 +158,13 @@ void MovingLiquid<dim>::relative_velocity() {
   const auto velocity = axes<dim>(*w_.velocity), flux = axes<dim>(*w_.flux), closing = axes<dim>(*w_.solid_velocity);
   const auto solid = axes<dim>(w_.moving->velocity_column());
   const double* content = (*w_.content)[0];
-  for (int i : body_.nodes())
+  over_nodes([&](std::size_t i) {
     for (int a = 0; a < dim; ++a) {
       velocity[a][i] -= solid[a][i];
       closing[a][i] = solid[a][i];
       flux[a][i] = content[i] * velocity[a][i];
     }
+  });
 }
 
 template <int dim>

@@ -52,4 +52,15 @@ inline Problem<2> sheared_sand(long points, int per_cell, int threads) {
   return problem;
 }
 
+/// The same with water in its pores at 4 kPa of suction and implicit drag; no water passes its surface.
+inline Problem<2> sheared_wet_sand(long points, int per_cell, int threads) {
+  Problem<2> problem = sheared_sand(points, per_cell, threads);
+  problem.water = Water{1000, 2e8, 1e-3, "bench"};
+  problem.soils[0].retention = VanGenuchtenRetention{4350, 0.61, 0.087, 1};
+  problem.soils[0].permeability = MualemPermeability{};
+  problem.initial_pressure.assign(problem.mesh.node_count(), -4e3);
+  problem.stages[0].liquid = LiquidScheme::implicit_drag;
+  return problem;
+}
+
 }  // namespace wetfront::mpm::test
