@@ -18,7 +18,9 @@ std::vector<Case> incline_cases();              ///< a block slides or sticks; a
 std::vector<Case> wide_block_cases();           ///< a wide one rests, slides and hops, beside finite elements
 std::vector<Case> collapse_cases();             ///< dry columns fall
 
-std::vector<Case> wet_column_cases();  ///< Terzaghi, de Boer, undrained loads, a flying block
+std::vector<Case> wet_column_cases();  ///< Terzaghi, de Boer, undrained loads
+
+std::vector<Case> wet_block_cases();  ///< a wetted block flies: graded, as a whole, sheared
 
 std::vector<Case> wet_collapse_cases();  ///< a saturated column falls
 

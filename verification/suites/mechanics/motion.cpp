@@ -36,6 +36,7 @@ Cloud<dim> cloud_of(const mpm::State& state) {
   cloud.volume = scalars(state, "volume");
   cloud.mass = scalars(state, "mass");
   cloud.pressure = scalars(state, "pressure");
+  cloud.water = scalars(state, "water");
   return cloud;
 }
 

@@ -18,7 +18,7 @@ struct Cloud {
   std::vector<Vector> position, velocity;
   std::vector<Vector> origin;  ///< where each point began; kept where there is a body acceleration
   std::vector<mpm::SymmetricTensor<dim>> stress;
-  std::vector<double> volume, mass, pressure;
+  std::vector<double> volume, mass, pressure, water;
 
   std::size_t size() const { return position.size(); }
   double total_mass() const;

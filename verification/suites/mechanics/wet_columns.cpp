@@ -129,35 +129,6 @@ void undrained_load(MotionBook& book) {
     }
 }
 
-/// A wetted block that flies through empty cells takes its water with it.
-void flying_block(MotionBook& book) {
-  const int across = 8, cells = 40;
-  const double h = 0.05, speed = 1;
-  for (const int points : {1, 4, 9}) {
-    WetColumn sand;
-    mpm::Problem<2> problem = wet_problem(sand, LiquidScheme::implicit_drag, evenly(24 * h / speed, 4));
-    problem.mesh = rectangle_mesh(cells * h, 12 * h, cells, 12);
-    problem.skeleton_boundary.clear();
-    problem.fixities.clear();
-    problem.water_boundary.clear();  // nothing passes its surface
-    problem.points_per_cell = points;
-    fill_only<2>(problem, [&](const meshes::Point& at) {
-      return at[0] > 2 * h && at[0] < (2 + across) * h && at[1] > 2 * h && at[1] < (2 + across) * h;
-    });
-    problem.initial_velocity = [speed](const std::array<double, 2>&) { return std::array{speed, 0.0}; };
-    problem.soils[0].intrinsic_permeability = intrinsic(1e-9);
-    problem.initial_pressure.clear();
-    for (const auto& node : problem.mesh.nodes)
-      problem.initial_pressure.push_back(-3e3 - 4e3 * (node[0] - 2 * h) / (across * h));
-    const auto motion = book.move<2>(fmt::format("{} points per cell", points), problem);
-    const auto& ledger = motion.history.ledger;
-    double worst = 0;
-    for (const auto& row : ledger) worst = std::max(worst, std::abs(row.stored / ledger.front().stored - 1));
-    book.page.judge("water", fmt::format("water gained or lost through 24 cells, {} points per cell", points), worst,
-                    {1e-10, "1", "the points carry it"});
-  }
-}
-
 }  // namespace
 
 std::vector<Case> wet_column_cases() {
@@ -186,14 +157,7 @@ std::vector<Case> wet_column_cases() {
                    "Verruijt 2013; physics.md section 1.7.",
                    Effort::quick,
                    {}},
-                  undrained_load),
-      motion_case({"flying_block",
-                   "H1 A wetted block moves through cells",
-                   "Moving points keep their water.",
-                   "physics.md section 1.8.",
-                   Effort::everyday,
-                   {}},
-                  flying_block)};
+                  undrained_load)};
 }
 
 }  // namespace wetfront::verification
