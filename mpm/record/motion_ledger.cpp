@@ -1,12 +1,38 @@
 #include "mpm/record/motion_ledger.h"
 
 #include "mpm/grid/point_sums.h"
+#include "mpm/lanes.h"
 #include "mpm/record/brought_by_water.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace wetfront::mpm {
+
+namespace {
+
+/// Sums over the nodes of the runs of what terms(at) gives, where at(column) is its value at one node or at four: one
+/// after the other every addition would wait for the one before.
+template <std::size_t count, class Terms>
+std::array<double, count> sum_over(const std::vector<NodeRun>& runs, const Terms& terms) {
+  std::array<Lanes, count> four{};
+  std::array<double, count> all{};
+  for (const NodeRun& run : runs) {
+    std::size_t i = run.first;
+    for (; i + lane_count <= run.last; i += lane_count) {
+      const auto values = terms([i](const double* column) { return load(column + i); });
+      for (std::size_t k = 0; k < count; ++k) four[k] += values[k];
+    }
+    for (; i < run.last; ++i) {
+      const auto values = terms([i](const double* column) { return column[i]; });
+      for (std::size_t k = 0; k < count; ++k) all[k] += values[k];
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k) all[k] += mpm::sum(four[k]);
+  return all;
+}
+
+}  // namespace
 
 /// Sees the forces of stress (and weight) before the others add theirs.
 template <int dim>
@@ -95,14 +121,14 @@ void MotionLedger<dim>::add_work(double share, bool with_change) {
   for (int a = 0; a < dim; ++a) {
     const double *inner = (*inner_)[a], *loaded = (*loaded_)[a], *v = (*node_velocity_)[a], *at = (*acceleration_)[a];
     const double g = plan_->problem.gravity[static_cast<std::size_t>(a)];
-    double stress = 0, load = 0, held = 0;
-    for (const NodeRun& run : cycle_->active->runs())
-      for (std::size_t i = run.first; i < run.last; ++i) {
-        const double middle = with_change ? v[i] + 0.5 * dt * at[i] * std::min(1.0, mass[i] / light) : v[i];
-        stress -= inner[i] * middle;
-        load += (loaded[i] - inner[i] - mass[i] * g) * middle;  // gravity's work is in its potential
-        held += (mass[i] * at[i] - loaded[i]) * middle;
-      }
+    const auto [stress, load, held] = sum_over<3>(cycle_->active->runs(), [&](const auto& here) {
+      const auto m = here(mass), change = here(at), f = here(inner), all = here(loaded);
+      auto middle = here(v);
+      using Number = std::decay_t<decltype(middle)>;
+      if (with_change) middle += 0.5 * dt * change * min(Number(1.0), m / light);
+      // Gravity's work is in its potential.
+      return std::array<Number, 3>{-f * middle, (all - f - m * g) * middle, (m * change - all) * middle};
+    });
     (*sums_)[stress_work][0] += share * dt * stress;
     (*sums_)[load_work][0] += share * dt * load;
     (*sums_)[resistance][0] += share * dt * held;
@@ -121,13 +147,11 @@ void MotionLedger<dim>::add_impulse() {
   const Vector<dim> carried = mixed > 0 ? momentum() : Vector<dim>{};
   for (int a = 0; a < dim; ++a) {
     const double *inner = (*inner_)[a], *loaded = (*loaded_)[a], *v = (*node_velocity_)[a], *at = (*acceleration_)[a];
-    double pushed = 0, reacted = 0, seen = 0;
-    for (const NodeRun& run : cycle_->active->runs())
-      for (std::size_t i = run.first; i < run.last; ++i) {
-        pushed += loaded[i] - inner[i];
-        reacted += mass[i] * at[i] - loaded[i];
-        seen += mass[i] * v[i];
-      }
+    const auto [pushed, reacted, seen] = sum_over<3>(cycle_->active->runs(), [&](const auto& here) {
+      const auto m = here(mass), all = here(loaded);
+      using Number = std::decay_t<decltype(m)>;
+      return std::array<Number, 3>{all - here(inner), m * here(at) - all, m * here(v)};
+    });
     (*sums_)[impulse + a][0] += dt * pushed;
     (*sums_)[reaction + a][0] += dt * reacted;
     if (mixed > 0) (*sums_)[reaction + a][0] += mixed * (seen - carried[a]);
