@@ -296,8 +296,14 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
   outflow_ = &plan.require_on_nodes("outflow");
   ledger_ = &plan.require_on_run("water ledger");
   plan.require_on_points("liquid velocity");
-  if (water_->surface || water_->body != nullptr)
+  if (water_->surface || water_->body != nullptr) {
+    const Column* earlier = plan.fields.grid.columns.find("rain asked of pieces");
+    const bool fresh = earlier == nullptr || !earlier->allocated();
     on_pieces_ = &plan.provide_on_nodes({"rain asked of pieces", "Q_rain", volume});
+    // What the stages before were asked for counts on.
+    if (fresh && water_->body != nullptr)
+      plan.at_entry([this] { std::ranges::copy(asked_->values(), on_pieces_->values().begin()); });
+  }
   grid_ = &plan.fields.grid;
   collect(plan);
   if (water_->body != nullptr) {

@@ -50,6 +50,7 @@ class TwoVelocityLiquid : public Effect<dim> {
   void add_output(StagePlan<dim>& plan);
   void take_over(StagePlan<dim>& plan);
   std::array<double, cell_nodes<dim>> centre_weights(const StagePlan<dim>& plan, const Block& block) const;
+  void fit_full_cell(const StagePlan<dim>& plan, const Block& block, double content, double saturated);
   void start_as_darcy(StagePlan<dim>& plan);
   void tell_hand_over(meshes::FieldHistory& history);
   void sum_cells(StagePlan<dim>& plan);

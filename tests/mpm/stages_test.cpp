@@ -78,6 +78,26 @@ TEST(Stages, ASlopeFailsSlidesAndRests) {
   ASSERT_FALSE(history.motion.empty());
 }
 
+/// Two velocities go on from the balance of forces that seepage held: a full cell that took its pressure from the water
+/// its points carry would push ten times its weight. The rain counts on.
+TEST(Stages, TwoVelocitiesTakeASlopeOverAtRest) {
+  Problem<2> problem = slope(24, 4);
+  problem.stages[1].liquid = LiquidScheme::implicit_drag;
+  problem.stages[1].ends_with = StageEnd::time;
+  problem.stages[1].longest = 0.02;
+  Simulation<2> simulation(problem);
+  while (!simulation.finished()) simulation.step();
+  const auto history = simulation.take_history();
+  ASSERT_FALSE(history.motion.empty());
+  const double g = 9.81, begins = simulation.body().stages.at(1).begin;
+  for (const auto& row : history.motion) {
+    const double falls = 0.5 * 7e3 * std::pow(g * std::max(1e-3, row.time - begins), 2);  // J, of 7 t in free fall
+    EXPECT_LT(row.kinetic, 0.02 * falls) << row.time - begins;
+  }
+  const auto& last = history.ledger.back();
+  EXPECT_NEAR(last.rain_asked / (2e-4 * 6 * last.time), 1, 1e-3);
+}
+
 TEST(Stages, ASlopeThatStandsEndsTheRun) {
   Problem<2> problem = slope(12, 2);
   problem.stages[0].end_time = 60;

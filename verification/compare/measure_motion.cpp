@@ -34,8 +34,10 @@ std::vector<Measurement> measure_motion(const meshes::FieldHistory& whole, doubl
                             const std::string& explanation) {
     found.push_back({quantity, description, -1, "", error, {}, explanation});
   };
-  const auto fails = std::ranges::lower_bound(whole.ledger, failure, {}, &meshes::LedgerRow::time);
-  if (const std::vector<meshes::LedgerRow> after(fails, whole.ledger.end()); after.size() > 1)
+  // From the last row of that time on: what a hand-over to another scheme changes is told by itself.
+  auto begins = std::ranges::upper_bound(whole.ledger, failure, {}, &meshes::LedgerRow::time);
+  if (begins != whole.ledger.begin() && begins != whole.ledger.end()) --begins;
+  if (const std::vector<meshes::LedgerRow> after(begins, whole.ledger.end()); after.size() > 1)
     own("water_balance", "water balance of the candidate after failure", imbalance(after, {after.back().time}), "");
   if (whole.motion.empty()) return found;
   const double energy = energy_scale(whole), momentum = momentum_scale(whole);
