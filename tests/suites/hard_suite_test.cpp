@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -32,8 +33,9 @@ TEST_P(HardRow, HasNoFailedEntry) {
   EXPECT_EQ(record.verdict, Verdict::pass);
   for (const auto& finding : record.findings)
     EXPECT_NE(finding.verdict, Verdict::fail) << finding.description << ": " << finding.error;
-  ASSERT_EQ(record.tables.size(), 1U);
-  EXPECT_EQ(record.tables[0].rows.size(), std::size(hard_schemes));
+  const auto entries = std::ranges::find(record.tables, "Entries", &reports::Table::title);
+  ASSERT_NE(entries, record.tables.end());
+  EXPECT_EQ(entries->rows.size(), std::size(hard_schemes));
 }
 
 INSTANTIATE_TEST_SUITE_P(Quick, HardRow,

@@ -1,3 +1,4 @@
+#include "reports/junit.h"
 #include "reports/write.h"
 #include "verification/commands/commands.h"
 
@@ -50,6 +51,7 @@ int report(const std::filesystem::path& folder) {
                                   ": no result.json in it or one or two folders below (nothing ran there). Name the "
                                   "output folder of a run, or one that holds several");
     reports::write_index(groups, folder / "index.html", "wetfront: all that is in " + folder.filename().string());
+    reports::write_junit(groups, folder / "junit.xml");
     fmt::print("{}\n", (folder / "index.html").string());
     return 0;
   }

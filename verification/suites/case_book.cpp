@@ -3,6 +3,7 @@
 #include "mpm/simulation.h"
 #include "verification/compare/verdict.h"
 #include "verification/run/provenance.h"
+#include "verification/suites/problem_setup.h"
 
 #include <fmt/format.h>
 
@@ -48,6 +49,11 @@ CaseBook::CaseBook(const Case& test) {
            {}};
 }
 
+void CaseBook::describe(reports::Table setup) {
+  const auto told = [&](const reports::Table& table) { return table.section == setup.section; };
+  if (std::none_of(record_.tables.begin(), record_.tables.end(), told)) record_.tables.push_back(std::move(setup));
+}
+
 void CaseBook::sign(const meshes::Mesh& mesh) {
   record_.provenance = provenance(record_.case_name, mesh);
 }
@@ -69,6 +75,7 @@ void CaseBook::enter(const std::string& label, const meshes::FieldHistory& histo
 }
 
 meshes::FieldHistory CaseBook::solve(const std::string& label, const mpm::Problem<2>& problem) {
+  describe(problem_setup(problem));
   try {
     meshes::FieldHistory history = mpm::run(problem);
     enter(label, problem, history);

@@ -39,6 +39,8 @@ class CaseBook {
   void enter(const std::string& label, const mpm::Problem<2>& problem, const meshes::FieldHistory& history);
   /// A run that something else made: as solve() does.
   void enter(const std::string& label, const meshes::FieldHistory& history, double tolerance);
+  /// States what is solved; the first that is said stays.
+  void describe(reports::Table setup);
   /// Where the page came from: program, machine, this mesh.
   void sign(const meshes::Mesh& mesh);
   /// CPU seconds spent outside solve(), on so many unknowns.

@@ -1,5 +1,6 @@
 #include "verification/suites/run_suite.h"
 
+#include "reports/junit.h"
 #include "reports/write.h"
 #include "verification/compare/verdict.h"
 
@@ -117,6 +118,7 @@ bool run_suite(const std::vector<Case>& suite, const SuiteOptions& options, cons
     failed += reports::read_result(folders.back() / "result.json").verdict == reports::Verdict::fail;
   }
   reports::write_index(folders, options.out / "index.html", title);
+  reports::write_junit({{"", folders}}, options.out / "junit.xml");
   fmt::print("{} cases, {} failed; index of all cases -> {}\n", cases.size(), failed,
              (options.out / "index.html").string());
   return failed == 0;

@@ -1,5 +1,6 @@
 // The page of one row: every scheme's entry, judged.
 #include "verification/suites/hard/hard_entry.h"
+#include "verification/suites/problem_setup.h"
 
 #include <fmt/format.h>
 
@@ -104,6 +105,7 @@ Case as_case(const HardCase& test) {
                          {"scheme", "verdict", "error / bound", "end [s]", "water balance", "overshoot [Pa]",
                           "energy gain", "Newton failures, rejected steps", "steps", "CPU [s] / budget", "said"},
                          {}};
+    if (!test.invalid) book.describe(problem_setup(test.problem()));
     for (const HardScheme scheme : hard_schemes) {
       const HardEntry entry = run_entry(test, scheme);
       judge(book, test, entry);

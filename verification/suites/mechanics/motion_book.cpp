@@ -1,5 +1,7 @@
 #include "verification/suites/mechanics/motion_book.h"
 
+#include "verification/suites/problem_setup.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,6 +58,7 @@ void MotionBook::balance(const meshes::FieldHistory& history) {
 template <int dim>
 Motion<dim> MotionBook::move(const std::string& label, const mpm::Problem<dim>& problem,
                              const std::function<bool(const Cloud<dim>&)>& enough) {
+  page.describe(problem_setup(problem));
   try {
     Motion<dim> motion = verification::move<dim>(problem, enough);
     enter(label, motion.history, motion.points);
