@@ -2,6 +2,7 @@
 // Faults are in the candidate alone: rain x 0.93, rain x 1.02 hidden by coarse steps, conductivity lagged by a step,
 // another retention curve, doubled drag, a coarse mesh.
 #include "lagging_column.h"
+#include "reports/whole_file.h"
 #include "verification/compare/outcomes.h"
 #include "verification/ledger/difference_ledger.h"
 #include "verification/ledger/rerun_scene.h"
@@ -11,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <iostream>
 
 namespace wetfront::verification {
@@ -188,6 +190,54 @@ TEST_F(Ledger, AStoredResultIsExplainedAsFarAsItCanBe) {
     EXPECT_EQ(share.probed,
               share.cause != "mesh" && share.cause != "time step" && share.cause != "physics outside Richards")
         << share.cause;
+}
+
+/// The run is finished before it is explained: a probe that cannot be run costs its own share and nothing else.
+TEST_F(Ledger, AProbeThatIsRefusedLosesNothingButItsShare) {
+  const auto runner = rerun_scene(*scene_, *timeline_, rain_times(0.93));
+  const meshes::FieldHistory candidate = runner({}).history;
+  const CandidateRunner refusing = [&](const Rerun& rerun) -> Solved {
+    if (rerun.finer_cells > 0 && rerun.times.empty()) throw mpm::CannotPlan("mesh: no such cells (a test). None.");
+    if (rerun.finer_steps > 0 && rerun.times.empty()) throw std::runtime_error("steps: not so short (a test). None.");
+    return runner(rerun);
+  };
+  const DifferenceLedger ledger =
+      difference_ledger({*scene_, *timeline_, candidate, *reference_, refusing, ReferenceStore()});
+  ASSERT_EQ(ledger.quantities.size(), 3u);
+  for (const Share& share : ledger.quantities[0].shares)
+    EXPECT_EQ(share.probed, share.cause != "mesh" && share.cause != "time step") << share.cause;
+  EXPECT_EQ(ledger.causes[0].first, "boundary flux");
+  EXPECT_THAT(ledger.log, testing::Contains(testing::HasSubstr("no such cells")));
+  EXPECT_THAT(ledger.log, testing::Contains(testing::HasSubstr("not so short")));
+}
+
+/// Probes of the reference are kept and taken as the reference itself is.
+TEST_F(Ledger, ProbesOfTheReferenceAreTakenFromItsStore) {
+  const meshes::FieldHistory stored = rerun_scene(*scene_, *timeline_, rain_times(0.93))({}).history;
+  const reports::TemporaryFolder folder;
+  const auto explained = [&] {
+    return difference_ledger({*scene_, *timeline_, stored, *reference_, {}, {folder.path() / "store"}});
+  };
+  const DifferenceLedger first = explained(), second = explained();
+  EXPECT_THAT(first.log, testing::Not(testing::Contains(testing::HasSubstr("taken from"))));
+  EXPECT_THAT(second.log, testing::Contains(testing::HasSubstr("taken from")));
+  for (const char* quantity : {"front_position", "stored_water", "cumulative_flux"})
+    EXPECT_EQ(share_of(first, quantity, "boundary flux"), share_of(second, quantity, "boundary flux")) << quantity;
+}
+
+/// The same of the reference's probes: here none can be kept, as a file is where their folder should be.
+TEST_F(Ledger, AProbeOfTheReferenceThatThrowsLosesNothingButItsShare) {
+  const meshes::FieldHistory stored = rerun_scene(*scene_, *timeline_, rain_times(0.93))({}).history;
+  const reports::TemporaryFolder folder;
+  std::ofstream(folder.path() / "file") << "no folder";
+  const DifferenceLedger ledger =
+      difference_ledger({*scene_, *timeline_, stored, *reference_, {}, {folder.path() / "file" / "store"}});
+  ASSERT_EQ(ledger.quantities.size(), 3u);
+  EXPECT_THAT(ledger.quantities[0].shares,
+              testing::Contains(testing::AllOf(testing::Field(&Share::cause, "boundary flux"),
+                                               testing::Field(&Share::probed, false))));
+  EXPECT_THAT(ledger.log, testing::Contains(testing::HasSubstr("cannot be run")));
+  for (const QuantityLedger& entry : ledger.quantities) EXPECT_NE(entry.verdict, reports::Verdict::pass);
 }
 
 }  // namespace

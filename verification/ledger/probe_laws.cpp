@@ -28,7 +28,6 @@ meshes::FieldHistory seen_in_cells(const meshes::FieldHistory& reference, const 
   meshes::FieldHistory seen = reference;
   seen.mesh = candidate.mesh;
   const auto profiles = profiles_at_cells(reference, candidate);
-  const auto nodes = pressure_at_nodes(reference, candidate.mesh);
   seen.snapshots.resize(profiles.size());
   for (std::size_t t = 0; t < profiles.size(); ++t) {
     seen.snapshots[t].cell_pressure = profiles[t].pressure;
@@ -48,6 +47,31 @@ CauseShares the_same(const std::string& cause, const std::string& note) {
 
 }  // namespace
 
+/// What the reference makes of its soil with departures put into tables.
+std::optional<Quantities> Probes::with_tables(const std::string& what, const ObservedSoil* content,
+                                              const ObservedSoil* conductivity) {
+  const double driest = *std::ranges::min_element(problem_.initial_head);
+  const auto history = reference_with(what, [&](auto& changed) {
+    changed.soils[0] = tabulated(problem_.soils[0], problem_.unit_weight, driest, content, conductivity);
+  });
+  if (!history) return {};
+  return read_(*history, it_.candidate);
+}
+
+CauseShares Probes::law_share(const std::string& cause, const std::string& note, const ObservedSoil* content,
+                              const ObservedSoil* conductivity) {
+  if (!in_tables_) in_tables_ = with_tables("the reference with its laws in tables", nullptr, nullptr);
+  const auto with =
+      in_tables_ ? with_tables("the reference with the observed " + cause, content, conductivity) : std::nullopt;
+  if (!with) return unprobed(cause, note + "; the reference gave up or was refused with it (see the log)");
+  CauseShares out;
+  out.cause = cause;
+  out.note = note;
+  out.value = *with - *in_tables_;
+  for (int q = 0; q < explained_quantities; ++q) out.uncertainty[q] = 0.05 * std::abs(out.value[q]);
+  return out;
+}
+
 std::vector<CauseShares> Probes::laws() {
   const std::string retention = "retention curve", conductivity = "conductivity";
   const std::string why = it_.scene.soils.size() > 1                                  ? "several soils"
@@ -62,42 +86,27 @@ std::vector<CauseShares> Probes::laws() {
     ++watched.finer_cells, ++watched.finer_steps;
   const auto again_seen = again("the candidate again, finer, its fields kept 40 times", watched);
   const meshes::FieldHistory& seen = again_seen ? *again_seen : it_.candidate;
-  const auto problem = to_reference(it_.scene, it_.timeline, resolution_);
-  const double area = ledger_area(it_.scene, seen.mesh);
-  ObservedSoil soil = observe(seen, problem.soils[0], problem.unit_weight, area);
+  const fem_reference::Soil& law = problem_.soils[0];
+  ObservedSoil soil = observe(seen, law, problem_.unit_weight, ledger_area(it_.scene, seen.mesh));
+  std::string unknown = "too few places where flux and gradient are even enough to tell K";
   if (!soil.conductivity.empty()) {
     const auto reference = reference_with("the reference, its fields kept as often", [&](auto& changed) {
       changed.output_times.clear();
       for (const auto& snapshot : seen.snapshots) changed.output_times.push_back(snapshot.time);
     });
-    relate_to(soil, observe(seen_in_cells(reference, seen), problem.soils[0], problem.unit_weight,
-                            ledger_area(it_.scene, reference.mesh)));  // its ledger is that of its own mesh
+    if (reference)
+      relate_to(soil, observe(seen_in_cells(*reference, seen), law, problem_.unit_weight,
+                              ledger_area(it_.scene, reference->mesh)));  // its ledger is that of its own mesh
+    else
+      soil.conductivity.clear(), unknown = "the reference gave up or was refused with its fields kept as often";
   }
-  const double driest = *std::ranges::min_element(problem.initial_head);
-  const auto with = [&](const std::string& what, const ObservedSoil* content, const ObservedSoil* k) {
-    const auto history = reference_with(what, [&](auto& changed) {
-      changed.soils[0] = tabulated(problem.soils[0], problem.unit_weight, driest, content, k);
-    });
-    return read_(history, it_.candidate);
-  };
-  std::optional<Quantities> in_tables;
-  const auto share = [&](const std::string& cause, const std::string& note, const ObservedSoil* content,
-                         const ObservedSoil* k) {
-    if (!in_tables) in_tables = with("the reference with its laws in tables", nullptr, nullptr);
-    CauseShares out;
-    out.cause = cause;
-    out.note = note;
-    out.value = with("the reference with the observed " + cause, content, k) - *in_tables;
-    for (int q = 0; q < explained_quantities; ++q) out.uncertainty[q] = 0.05 * std::abs(out.value[q]);
-    return out;
-  };
-  std::vector<CauseShares> found;
   const std::string content_note =
       fmt::format("S against p in the candidate departs from the reference's curve by {:.2g} (rms)", soil.content_rms);
-  found.push_back(soil.content_rms < content_matters ? the_same(retention, content_note)
-                                                     : share(retention, content_note, &soil, nullptr));
+  std::vector<CauseShares> found{soil.content_rms < content_matters
+                                     ? the_same(retention, content_note)
+                                     : law_share(retention, content_note, &soil, nullptr)};
   if (soil.conductivity.empty()) {
-    found.push_back(unprobed(conductivity, "too few places where flux and gradient are even enough to tell K"));
+    found.push_back(unprobed(conductivity, unknown));
     return found;
   }
   const auto [low, high] = std::ranges::minmax(soil.conductivity);
@@ -106,7 +115,7 @@ std::vector<CauseShares> Probes::laws() {
       "at {} places and times",
       low, high, soil.flux_samples);
   const bool matters = high > 1 + conductivity_matters || low < 1 - conductivity_matters;
-  found.push_back(matters ? share(conductivity, k_note, nullptr, &soil) : the_same(conductivity, k_note));
+  found.push_back(matters ? law_share(conductivity, k_note, nullptr, &soil) : the_same(conductivity, k_note));
   return found;
 }
 

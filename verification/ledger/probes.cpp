@@ -4,7 +4,8 @@
 #include "meshes/evaluate.h"
 #include "verification/compare/profile.h"
 #include "verification/ledger/delivered_rain.h"
-#include "verification/translate/initial_pressure.h"
+#include "verification/run/solve_richards.h"
+#include "verification/translate/to_reference.h"
 
 #include <fmt/format.h>
 
@@ -41,7 +42,7 @@ Probes::Probes(const Explained& it, std::size_t index)
     : it_(it),
       index_(index),
       read_(it.scene, index, it.timeline.comparison_times[index]),
-      resolution_{it.scene.reference->cells, 0, it.scene.reference->tolerance} {
+      problem_(to_reference(it.scene, it.timeline, {it.scene.reference->cells, 0, it.scene.reference->tolerance})) {
   const auto& reference = it.reference.reference.history;
   candidate = read_(it.candidate, it.candidate);
   truth = read_(reference, reference);
@@ -60,25 +61,31 @@ std::vector<CauseShares> Probes::all() {
   return shares;
 }
 
-meshes::FieldHistory Probes::reference_with(const std::string& what, const Change& change) {
-  fem_reference::RichardsProblem problem = to_reference(it_.scene, it_.timeline, resolution_);
-  change(problem);
-  meshes::FieldHistory history = fem_reference::solve(problem);
-  note(what, history);
-  return history;
-}
-
-void Probes::note(const std::string& what, const meshes::FieldHistory& history) {
-  cpu_seconds += history.cpu_seconds;
-  log.push_back(fmt::format("probe: {}, {:.2f} CPU-s", what, history.cpu_seconds));
+std::optional<meshes::FieldHistory> Probes::reference_with(const std::string& what, const Change& change) {
+  return finished(what, [&] {
+    fem_reference::RichardsProblem problem = problem_;
+    change(problem);
+    return solve_richards(problem, what, it_.store);
+  });
 }
 
 std::optional<meshes::FieldHistory> Probes::again(const std::string& what, const Rerun& rerun) {
   if (!it_.rerun) return {};
-  Solved solved = it_.rerun(rerun);
-  note(what, solved.history);
-  if (solved.gave_up.empty()) return std::move(solved.history);
-  log.push_back("probe: " + what + " gave up: " + solved.gave_up);
+  return finished(what, [&] { return it_.rerun(rerun); });
+}
+
+std::optional<meshes::FieldHistory> Probes::finished(const std::string& what, const std::function<Solved()>& run) {
+  try {
+    Solved solved = run();
+    cpu_seconds += solved.history.cpu_seconds;
+    log.push_back(
+        fmt::format("probe: {}, {:.2f} CPU-s{}", what, solved.history.cpu_seconds,
+                    solved.taken_from.empty() ? "" : " when it was computed, taken from " + solved.taken_from));
+    if (solved.gave_up.empty()) return std::move(solved.history);
+    log.push_back("probe: " + what + " gave up: " + solved.gave_up);
+  } catch (const std::exception& error) {  // CannotPlan, a scene or a problem that is refused
+    log.push_back("probe: " + what + " cannot be run: " + error.what());
+  }
   return {};
 }
 
@@ -95,9 +102,10 @@ CauseShares Probes::boundary() {
       if (auto* lake = std::get_if<fem_reference::WaterLevelSide>(&side)) lake->rain = rain;
     }
   });
+  if (!history) return unprobed(cause, "the reference gave up or was refused under that flux (see the log)");
   CauseShares out;
   out.cause = cause;
-  const Quantities with = read_(history, it_.candidate);
+  const Quantities with = read_(*history, it_.candidate);
   out.value = with - on_cells;
   for (int q = 0; q < explained_quantities; ++q) out.uncertainty[q] = 1e-4 * std::abs(with[q]);  // of delivered_rain
   out.note = "the reference run again with the flux that the candidate's stored water says went in";
@@ -122,12 +130,13 @@ CauseShares Probes::interpolation() {
 double Probes::water_passed_through() const {
   const auto& reference = it_.reference.reference.history;
   if (it_.scene.soils.size() > 1 || index_ >= reference.snapshots.size()) return std::nan("");
-  const auto problem = to_reference(it_.scene, it_.timeline, resolution_);
-  const fem_reference::SoilLaw law(problem.soils[0], problem.unit_weight);
+  const fem_reference::SoilLaw law(problem_.soils[0], problem_.unit_weight);
   const meshes::Mesh& mesh = it_.candidate.mesh;
   const std::vector<double> nodal = pressure_at_nodes(reference, mesh)[index_];
   const meshes::Snapshot& snapshot = it_.candidate.snapshots[index_];
-  const auto content = [&](double pressure) { return law.porosity() * law.saturation(pressure / problem.unit_weight); };
+  const auto content = [&](double pressure) {
+    return law.porosity() * law.saturation(pressure / problem_.unit_weight);
+  };
   double water = 0, volume = 0;
   const auto& points = snapshot.points.position;
   if (snapshot.cells_hold_averages && !points.empty()) {
@@ -152,7 +161,7 @@ CauseShares Probes::limit(const std::string& cause, const std::string& what, int
   once.*part = 1;
   twice.*part = 2;
   const auto finer = again(what, once);
-  if (!finer) return unprobed(cause, "the finer run gave up");
+  if (!finer) return unprobed(cause, "the finer run gave up or was refused (see the log)");
   const Quantities second = read_(*finer, it_.candidate);
   std::optional<meshes::FieldHistory> finest;
   if (finer->cpu_seconds * cost_factor <= probe_budget) finest = again(what + ", once more", twice);
@@ -186,7 +195,9 @@ CauseShares Probes::physics() {
   Rerun rerun;
   rerun.richards_only = true;
   const auto history = again("the candidate without inertia and deformation", rerun);
-  if (!history) return unprobed(cause, it_.rerun ? "the run gave up" : "a stored result cannot be run again");
+  if (!history)
+    return unprobed(cause,
+                    it_.rerun ? "the run gave up or was refused (see the log)" : "a stored result cannot be run again");
   out.note = "the candidate run again without inertia of the water and deformation of the skeleton";
   out.value = candidate - read_(*history, it_.candidate);
   return out;

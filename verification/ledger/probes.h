@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem_reference/richards_problem.h"
+#include "verification/ledger/observed_soil.h"
 #include "verification/ledger/shares.h"
-#include "verification/translate/to_reference.h"
 
 #include <functional>
 #include <optional>
@@ -30,22 +30,28 @@ class Probes {
 
  private:
   using Change = std::function<void(fem_reference::RichardsProblem&)>;
-  meshes::FieldHistory reference_with(const std::string& what, const Change& change);
+  /// Absent where the run gave up or could not be begun: a probe must not lose the run that it explains.
+  std::optional<meshes::FieldHistory> reference_with(const std::string& what, const Change& change);
   std::optional<meshes::FieldHistory> again(const std::string& what, const Rerun& rerun);
-  void note(const std::string& what, const meshes::FieldHistory& history);
+  std::optional<meshes::FieldHistory> finished(const std::string& what, const std::function<Solved()>& run);
 
   CauseShares boundary();
   CauseShares interpolation();
   CauseShares limit(const std::string& cause, const std::string& what, int Rerun::*part, double cost_factor);
   CauseShares physics();
-  std::vector<CauseShares> laws();  // probe_laws.cpp
+  std::vector<CauseShares> laws();  // probe_laws.cpp, as is what follows
+  CauseShares law_share(const std::string& cause, const std::string& note, const ObservedSoil* content,
+                        const ObservedSoil* conductivity);
+  std::optional<Quantities> with_tables(const std::string& what, const ObservedSoil* content,
+                                        const ObservedSoil* conductivity);
   bool beyond_richards() const;
   double water_passed_through() const;
 
   const Explained& it_;
   std::size_t index_;
   QuantityReader read_;
-  Resolution resolution_{};
+  const fem_reference::RichardsProblem problem_;  ///< the reference's, as the scene says
+  std::optional<Quantities> in_tables_;           ///< of the reference with its own laws in tables
 };
 
 /// Shares that were not measured, and why.
