@@ -2,8 +2,6 @@
 
 #include <hdf5.h>
 
-#include <memory>
-
 namespace wetfront::verification {
 namespace {
 

@@ -7,7 +7,6 @@
 #include <cctype>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 
 namespace wetfront::verification {
 namespace {
@@ -113,16 +112,6 @@ class Reader {
   const std::string& file_;
   std::size_t at_ = 0;
 };
-
-void add_components(PointData& data, const std::string& name, const std::vector<double>& values,
-                    std::size_t components) {
-  const std::size_t points = values.size() / components;
-  for (std::size_t c = 0; c < components; ++c) {
-    std::vector<double> part(points);
-    for (std::size_t i = 0; i < points; ++i) part[i] = values[i * components + c];
-    data.scalars[components == 1 ? name : fmt::format("{}.{}", name, c)] = std::move(part);
-  }
-}
 
 class LegacyFile {
  public:

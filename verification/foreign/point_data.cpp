@@ -1,7 +1,9 @@
 #include "verification/foreign/point_data.h"
 
-#include <fstream>
-#include <iterator>
+#include "reports/whole_file.h"
+
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 namespace wetfront::verification {
@@ -11,12 +13,19 @@ void cannot_read(const std::string& name, const std::string& problem, const std:
   throw std::runtime_error(name + ": " + problem + " (" + why + "). " + suggestion);
 }
 
+void add_components(PointData& data, const std::string& name, const std::vector<double>& values,
+                    std::size_t components) {
+  const std::size_t points = values.size() / components;
+  for (std::size_t c = 0; c < components; ++c) {
+    std::vector<double> part(points);
+    for (std::size_t i = 0; i < points; ++i) part[i] = values[i * components + c];
+    data.scalars[components == 1 ? name : fmt::format("{}.{}", name, c)] = std::move(part);
+  }
+}
+
 PointData read_points(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    cannot_read(name, "it cannot be read", "there is no such file, or permission is denied", "Check the path.");
-  const std::string content((std::istreambuf_iterator<char>(in)), {});
+  const std::string content = reports::read_whole(file);
   if (content.starts_with("\x89HDF")) return read_hdf5_points(file);
   if (content.starts_with("# vtk")) return read_legacy_vtk(content, name);
   if (content.find("<VTKFile") < 1000) return read_xml_vtk(content, name);

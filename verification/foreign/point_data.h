@@ -25,6 +25,10 @@ PointData read_xml_vtk(const std::string& content, const std::string& name);
 PointData read_csv_points(const std::string& content, const std::string& name);
 PointData read_hdf5_points(const std::filesystem::path& file);
 
+/// A field of so many components per point, one scalar each: "name.0", "name.1"; "name" where there is one.
+void add_components(PointData& data, const std::string& name, const std::vector<double>& values,
+                    std::size_t components);
+
 /// `name: problem (why). suggestion`, as an exception.
 [[noreturn]] void cannot_read(const std::string& name, const std::string& problem, const std::string& why,
                               const std::string& suggestion);

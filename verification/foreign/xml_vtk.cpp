@@ -1,4 +1,5 @@
 #include "verification/foreign/point_data.h"
+#include "verification/translate/base64.h"
 
 #include <fmt/format.h>
 
@@ -44,28 +45,6 @@ std::vector<Element> elements(const std::string& text, const std::string& tag, c
   return found;
 }
 
-std::string decoded(const std::string& text) {
-  static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t group = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') {  // the end of a part: another may follow
-      group = 0, bits = 0;
-      continue;
-    }
-    const std::size_t value = letters.find(c);
-    if (value == std::string::npos) continue;
-    group = group << 6 | static_cast<std::uint32_t>(value);
-    bits += 6;
-    if (bits >= 8) {
-      bits -= 8;
-      bytes += static_cast<char>(group >> bits & 0xFF);
-    }
-  }
-  return bytes;
-}
-
 template <class Number>
 std::vector<double> numbers_of(const std::string& bytes, std::size_t from) {
   std::vector<double> values;
@@ -97,7 +76,7 @@ std::vector<double> values_of(const Element& array, const Element& whole, const 
     cannot_read(file, "the array " + array.attribute("Name") + " is written in a way that is not read",
                 "ASCII and inline base64, little-endian and not compressed, are",
                 "Write it so, e.g. by ParaView's \"ascii\".");
-  const std::string bytes = decoded(array.text);
+  const std::string bytes = from_base64(array.text);
   const std::size_t head = whole.attribute("header_type") == "UInt64" ? 8 : 4;
   if (type == "Float64") return numbers_of<double>(bytes, head);
   if (type == "Float32") return numbers_of<float>(bytes, head);
@@ -133,11 +112,7 @@ PointData read_xml_vtk(const std::string& content, const std::string& name) {
         cannot_read(name, "the array " + field + " does not fit the points",
                     fmt::format("{} values for {} points", values.size(), data.position.size()),
                     "Is the file written to its end?");
-      for (std::size_t c = 0; c < components; ++c) {
-        auto& part = data.scalars[components == 1 ? field : fmt::format("{}.{}", field, c)];
-        part.clear();
-        for (std::size_t i = 0; i < data.position.size(); ++i) part.push_back(values[i * components + c]);
-      }
+      add_components(data, field, values, components);
     }
   return data;
 }

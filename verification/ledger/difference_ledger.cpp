@@ -1,5 +1,6 @@
 #include "verification/ledger/difference_ledger.h"
 
+#include "verification/compare/gates.h"
 #include "verification/compare/outcomes.h"
 #include "verification/compare/verdict.h"
 #include "verification/ledger/probes.h"
@@ -31,19 +32,12 @@ constexpr About about[explained_quantities] = {
     {"stored_water", "stored water", "cumulative_infiltration"},
     {"cumulative_flux", "water taken since the start", "cumulative_infiltration"}};
 
-/// The scene's narrowest gate on a quantity [m]; 0: none.
-double gate_on(const Scene& scene, int q, double value) {
-  double narrowest = 0;
-  for (const Tolerance& tolerance : scene.comparison.tolerances) {
-    if (tolerance.quantity != about[q].gate) continue;
-    const double metres = q == front_position ? tolerance.value : tolerance.value * std::abs(value);
-    if (narrowest == 0 || metres < narrowest) narrowest = metres;
-  }
-  return narrowest;
-}
-
-constexpr double small_remainder = 0.25;  ///< of what there is to explain: with more, most of it may be something else
 constexpr double negligible_of_gate = 0.1, negligible_of_value = 1e-4;
+
+/// Below it there is nothing to explain.
+double trifle_of(const QuantityLedger& entry) {
+  return std::max(negligible_of_gate * entry.tolerance, negligible_of_value * std::abs(entry.reference));
+}
 
 void conclude(QuantityLedger& entry) {
   using reports::Verdict;
@@ -58,7 +52,7 @@ void conclude(QuantityLedger& entry) {
   entry.remainder = entry.difference() - sum;
   const double size = entry.size(), allowed = small_remainder * size;
   entry.cancels = size - std::abs(entry.remainder) > 2 * std::abs(entry.difference());
-  const double trifle = std::max(negligible_of_gate * entry.tolerance, negligible_of_value * std::abs(entry.reference));
+  const double trifle = trifle_of(entry);
   if (size <= trifle) {
     entry.verdict = Verdict::pass;
     entry.explanation = "There is nothing to explain: what there is lies within a tenth of the gate.";
@@ -88,9 +82,7 @@ std::vector<std::pair<std::string, double>> ranked(const std::vector<QuantityLed
   int counted = 0;
   for (const QuantityLedger& entry : quantities) {
     const double size = entry.size();
-    const double trifle =
-        std::max(negligible_of_gate * entry.tolerance, negligible_of_value * std::abs(entry.reference));
-    if (size <= trifle) continue;
+    if (size <= trifle_of(entry)) continue;
     ++counted;
     for (const Share& share : entry.shares) sum[share.cause] += std::abs(share.value) / size;
     sum["remainder"] += std::abs(entry.remainder) / size;
@@ -124,7 +116,7 @@ DifferenceLedger difference_ledger(const Explained& it) {
     entry.candidate = probes.candidate[q];
     entry.reference = probes.truth[q];
     entry.reference_bound = probes.bound[q];
-    entry.tolerance = gate_on(it.scene, q, probes.truth[q]);
+    entry.tolerance = gate_on(it.scene, about[q].gate, probes.truth[q]);
     for (const CauseShares& cause : found)
       entry.shares.push_back(
           {cause.cause, cause.value[q], cause.uncertainty[q], cause.converged[q], cause.probed, cause.note});

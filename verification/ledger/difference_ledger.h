@@ -48,6 +48,9 @@ struct QuantityLedger {
   double size() const;
 };
 
+/// Of what there is to explain: with more left unexplained, most of it may be something else.
+inline constexpr double small_remainder = 0.25;
+
 struct DifferenceLedger {
   double time = 0;  ///< s, at which the quantities are taken
   std::vector<QuantityLedger> quantities;

@@ -23,8 +23,8 @@ reports::Finding finding_of(const QuantityLedger& entry, double time) {
   finding.group = section;
   finding.unit = "m";
   finding.error = std::abs(entry.remainder);
-  finding.reference_bound = std::min(entry.uncertainty, 0.25 * entry.size());
-  finding.tolerance = 0.25 * entry.size();
+  finding.reference_bound = std::min(entry.uncertainty, small_remainder * entry.size());
+  finding.tolerance = small_remainder * entry.size();
   finding.reason = "a quarter of all causes together: with more than that unexplained the named causes prove nothing";
   finding.verdict = entry.verdict;
   finding.explanation = entry.explanation;

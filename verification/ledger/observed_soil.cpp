@@ -1,7 +1,6 @@
 #include "verification/ledger/observed_soil.h"
 
 #include "fem_reference/soil/soil_law.h"
-#include "verification/compare/events.h"
 #include "verification/ledger/delivered_rain.h"
 
 #include <algorithm>

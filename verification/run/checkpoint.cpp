@@ -62,6 +62,11 @@ std::optional<mpm::State> read_checkpoint(const CheckpointFile& where, std::stri
   return {};
 }
 
+void forget_checkpoint(const CheckpointFile& where) {
+  std::error_code none;
+  for (const auto& file : {where.file, before(where.file)}) std::filesystem::remove(file, none);
+}
+
 std::string checkpoint_owner(const std::string& scene_text) {
   ContentHash hash;
   hash.add(std::string_view(scene_text));

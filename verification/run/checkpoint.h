@@ -21,6 +21,9 @@ void write_checkpoint(const mpm::State& state, const CheckpointFile& where);
 /// those passed over.
 std::optional<mpm::State> read_checkpoint(const CheckpointFile& where, std::string& note);
 
+/// Removes both, of a run that has reached its end.
+void forget_checkpoint(const CheckpointFile& where);
+
 /// What identifies scene and program in checkpoints.
 std::string checkpoint_owner(const std::string& scene_text);
 

@@ -7,6 +7,7 @@
 #include "verification/present/reference_error_table.h"
 #include "verification/present/tables.h"
 #include "verification/run/provenance.h"
+#include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 
 #include <algorithm>
@@ -48,12 +49,10 @@ RunResult compare_foreign(const Scene& scene, const ForeignResult& foreign, cons
   result.reference = solve_references(scene, times, store);
 
   reports::Record& record = result.record;
+  record = record_of(scene, result.candidate.history.mesh);
   record.kind = "another code's result";
-  record.case_name = case_name(scene.path);
   record.title = foreign.title;
-  record.requirement = scene.requirement;
-  record.scene_path = scene.path.string();
-  record.scene_text = scene.text + "\n# ---- " + foreign.path.filename().string() + " ----\n" + foreign.text;
+  record.scene_text += "\n# ---- " + foreign.path.filename().string() + " ----\n" + foreign.text;
   record.provenance = provenance(record.scene_text, result.candidate.history.mesh);
   record.provenance["candidate"] = foreign.code;
   record.tables.push_back(setup_table(scene, times));

@@ -48,12 +48,6 @@ mpm::Simulation<2> begin(const mpm::Problem<2>& problem, const Stopping& stoppin
   return mpm::Simulation<2>(problem, *state);
 }
 
-void forget(const CheckpointFile& checkpoint) {
-  std::error_code none;
-  std::filesystem::remove(checkpoint.file, none);
-  std::filesystem::remove(checkpoint.file.string() + ".before", none);
-}
-
 }  // namespace
 
 Solved run_candidate(const mpm::Problem<2>& problem, const Stopping& stopping) {
@@ -70,14 +64,11 @@ Solved run_candidate(const mpm::Problem<2>& problem, const Stopping& stopping) {
         const auto& stages = simulation->body().stages;
         show_progress(simulation->time(), simulation->end(), stages.empty() ? "mpm" : stages.back().name.c_str());
       }
-      if (!keeps) {
-        if (asked_to_stop) break;
-        continue;
-      }
       const bool stop = asked_to_stop;
-      if (!stop && std::chrono::duration<double>(WallClock::now() - kept).count() < stopping.every) continue;
-      write_checkpoint(simulation->state(), stopping.checkpoint);
-      kept = WallClock::now();
+      if (keeps && (stop || std::chrono::duration<double>(WallClock::now() - kept).count() >= stopping.every)) {
+        write_checkpoint(simulation->state(), stopping.checkpoint);
+        kept = WallClock::now();
+      }
       if (stop) break;
     }
     const bool stopped = asked_to_stop.exchange(false);
@@ -86,7 +77,7 @@ Solved run_candidate(const mpm::Problem<2>& problem, const Stopping& stopping) {
       solved.gave_up = fmt::format("stopped at t = {:.6g} s as asked{}", simulation->time(),
                                    keeps ? "; --resume goes on from there" : "");
     else if (keeps)
-      forget(stopping.checkpoint);
+      forget_checkpoint(stopping.checkpoint);
     return solved;
   } catch (const mpm::GaveUp& error) {
     return {error.partial, error.what(), "", simulation ? simulation->body() : mpm::BodyRecord{}};

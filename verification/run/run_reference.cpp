@@ -3,12 +3,11 @@
 #include "reports/write.h"
 #include "verification/compare/verdict.h"
 #include "verification/present/field_files.h"
-#include "verification/present/field_pictures.h"
 #include "verification/present/figures.h"
 #include "verification/present/reference_error_table.h"
 #include "verification/present/side_table.h"
 #include "verification/present/tables.h"
-#include "verification/run/provenance.h"
+#include "verification/run/scene_record.h"
 
 namespace wetfront::verification {
 namespace {
@@ -33,17 +32,13 @@ ReferenceResult run_reference(const Scene& scene, const std::filesystem::path& f
   const meshes::FieldHistory& history = result.runs.reference.history;
 
   reports::Record& record = result.record;
-  record.case_name = case_name(scene.path) + "_reference";
-  record.title = scene.title + ": the reference alone";
+  record = record_of(scene, history.mesh);
+  record.case_name += "_reference";
+  record.title += ": the reference alone";
   record.requirement = "The reference's own error: from coarser and finer meshes and a tenth of the tolerance.";
-  record.scene_path = scene.path.string();
-  record.scene_text = scene.text;
-  record.provenance = provenance(scene.text, history.mesh);
   const auto measurements = measure(scene, times, histories_of(history, result.runs));
   record.findings = bounds(scene, times, measurements, history.cpu_seconds);
   record.figures = figures_of_one(scene, history, "reference");
-  record.pictures = field_pictures(history, "reference");
-  record.pressure_per_head = pressure_per_head(scene);
   record.tables = {setup_table(scene, times),
                    ledger_table("reference", history, ledger_area(scene, history.mesh), times),
                    side_table("reference", history, times), reference_error_table(measurements)};

@@ -1,7 +1,6 @@
 #include "verification/run/run_scene.h"
 
 #include "mpm/plan.h"
-#include "mpm/simulation.h"
 #include "reports/write.h"
 #include "verification/compare/balance.h"
 #include "verification/compare/body_outcomes.h"
@@ -9,9 +8,7 @@
 #include "verification/compare/verdict.h"
 #include "verification/compare/window.h"
 #include "verification/ledger/rerun_scene.h"
-#include "verification/present/body_film.h"
 #include "verification/present/field_files.h"
-#include "verification/present/field_pictures.h"
 #include "verification/present/figures.h"
 #include "verification/present/motion_balance.h"
 #include "verification/present/plan_text.h"
@@ -19,8 +16,7 @@
 #include "verification/present/side_table.h"
 #include "verification/present/slide_figures.h"
 #include "verification/present/tables.h"
-#include "verification/run/progress.h"
-#include "verification/run/provenance.h"
+#include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
 #include "verification/translate/to_mpm.h"
@@ -45,15 +41,8 @@ void add_candidate_tables(reports::Record& record, const Prepared& prepared, con
 
 reports::Record start_record(const Prepared& prepared) {
   const Scene& scene = prepared.scene;
-  reports::Record record;
-  record.case_name = case_name(scene.path);
-  record.title = scene.title;
-  record.requirement = scene.requirement;
-  record.scene_path = scene.path.string();
-  record.scene_text = scene.text;
-  record.pressure_per_head = pressure_per_head(scene);
+  reports::Record record = record_of(scene, prepared.problem.mesh);
   record.plan_text = plan_text(mpm::plan(prepared.problem));
-  record.provenance = provenance(scene.text, prepared.problem.mesh);
   record.tables.push_back(setup_table(scene, prepared.timeline));
   return record;
 }
@@ -114,14 +103,14 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
     histories.candidate =
         on_ground(histories.candidate, reference_mesh(prepared.scene, own_cells_over(prepared.scene), 0));
   const Timeline window = cut_at(prepared.timeline, failure);
-  const Histories comparable = cut_at(histories, failure);
-  auto measurements = measure(prepared.scene, window, comparable);
+  std::optional<Histories> cut;  // five histories: copied only where there is something to cut
+  if (std::isfinite(failure)) cut = cut_at(histories, failure);
+  auto measurements = measure(prepared.scene, window, cut ? *cut : histories);
   for (Measurement& own : measure_motion(result.candidate.history, failure)) measurements.push_back(std::move(own));
   record.findings = judge(prepared.scene, window, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
   std::erase_if(histories.candidate.snapshots, [failure](const auto& one) { return one.time > failure; });
   record.figures = figures(prepared.scene, window, histories, measurements);
-  record.pictures = field_pictures(histories);
   shade_after(record.figures, failure, prepared.timeline.end());
   record.tables.push_back(ledger_table("reference", histories.reference,
                                        ledger_area(prepared.scene, histories.reference.mesh), prepared.timeline));
@@ -152,7 +141,6 @@ void judge_alone(reports::Record& record, const Prepared& prepared, const Solved
   record.findings = judge(prepared.scene, prepared.timeline, measurements, history.cpu_seconds);
   record.verdict = overall(record.findings);
   record.figures = figures_of_one(prepared.scene, history, "MPM");
-  if (prepared.scene.water) record.pictures = field_pictures(history, "MPM");
 }
 
 }  // namespace
@@ -200,7 +188,6 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
     compare_into(record, prepared, result);
   else
     judge_alone(record, prepared, result.candidate);
-  record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
   add_body(record, prepared, result.candidate);
   add_candidate_tables(record, prepared, result.candidate.history);
@@ -230,13 +217,21 @@ std::vector<std::string> why_given_up(const RunResult& result) {
 
 namespace {
 
-/// Where the differences come from, into the record; its verdicts count as the others do.
-void add_difference_ledger(const Scene& scene, const Timeline& timeline, const ReferenceStore& store,
-                           RunResult& result) {
-  if (!result.reference)
+/// Before anything is run: what is missing must not be said at its end.
+void check_ledger(const Scene& scene, const Timeline& timeline) {
+  if (!scene.reference)
     throw SceneError({scene.path.string() +
                       ":1:1: a ledger of differences is asked for, but the scene has no reference "
                       "(there is nothing to differ from). Add [reference]."});
+  if (timeline.comparison_times.empty())
+    throw SceneError({scene.comparison.origin.text() +
+                      ": a ledger of differences is asked for, but no time at which fields are compared (there is "
+                      "nothing to explain). Add times to [comparison]."});
+}
+
+/// Where the differences come from, into the record; its verdicts count as the others do.
+void add_difference_ledger(const Scene& scene, const Timeline& timeline, const ReferenceStore& store,
+                           RunResult& result) {
   if (result.exit == Exit::gave_up) {
     result.record.log.push_back("ledger: not made, as a solver gave up");
     return;
@@ -256,6 +251,7 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
                       ":1:1: --resume is given, but an accuracy is asked for (the runs that look for it keep no "
                       "checkpoint). Leave one of the two out."});
   const Prepared prepared = prepare(scene);
+  if (options.ledger) check_ledger(scene, prepared.timeline);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
   const Stopping stopping{
       {folder / "checkpoint.cbor", checkpoint_owner(scene.text)}, options.checkpoint_every, options.resume};

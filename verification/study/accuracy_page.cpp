@@ -1,5 +1,7 @@
 // What accuracy costs, as a page.
+#include "verification/compare/gates.h"
 #include "verification/present/figure_frame.h"
+#include "verification/scene/quantities.h"
 #include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
 #include "verification/study/study_page.h"
@@ -20,9 +22,13 @@ using reports::Series;
 constexpr const char* studied[] = {"pressure_l2",  "saturation_l2", "front_position", "cumulative_infiltration",
                                    "ponding_time", "arrival_time",  "rise_rate"};
 
+bool in_metres(const std::string& quantity) {
+  return find_quantity(quantity)->unit == "m";
+}
+
 std::string percent_or_metres(double value, const std::string& quantity) {
   if (std::isnan(value)) return "-";
-  return quantity == "front_position" ? fmt::format("{:.3g} mm", 1e3 * value) : fmt::format("{:.3g} %", 100 * value);
+  return in_metres(quantity) ? fmt::format("{:.3g} mm", 1e3 * value) : fmt::format("{:.3g} %", 100 * value);
 }
 
 struct Study {
@@ -31,7 +37,7 @@ struct Study {
 };
 
 Figure work_precision(const Study& study, const std::string& quantity, const std::vector<ReferenceCost>& reference) {
-  const bool metres = quantity == "front_position";
+  const bool metres = in_metres(quantity);
   Figure figure = figure_frame({"work_" + quantity, "Error over CPU seconds: " + quantity, "Cost"},
                                {"CPU of the MPM", "s"}, {"largest error", metres ? "m" : "1"});
   figure.log_x = figure.log_y = true;
@@ -149,17 +155,11 @@ reports::Table cheapest_table(const Study& study, const Scene& scene) {
                        "The error with the reference's own doubt must be within the gate.",
                        {"quantity", "gate", "cheapest setting", "its error", "MPM CPU [s]"},
                        {}};
-  std::map<std::string, double> gates;
-  for (const Tolerance& tolerance : scene.comparison.tolerances) {
-    const bool known = std::ranges::find_if(studied, [&](const char* name) { return tolerance.quantity == name; }) !=
-                       std::end(studied);
-    if (!known) continue;
-    const auto [gate, fresh] = gates.emplace(tolerance.quantity, tolerance.value);
-    if (!fresh) gate->second = std::min(gate->second, tolerance.value);
-  }
-  for (const auto& [quantity, gate] : gates) {
-    const auto best = cheapest(study.results, quantity, gate);
-    table.rows.push_back({quantity, percent_or_metres(gate, quantity),
+  for (const char* quantity : studied) {
+    const auto gate = narrowest_gate(scene, quantity);
+    if (!gate) continue;
+    const auto best = cheapest(study.results, quantity, *gate);
+    table.rows.push_back({quantity, percent_or_metres(*gate, quantity),
                           best ? study.results[*best].name : "none of these",
                           best ? percent_or_metres(error_of(study.results[*best], quantity), quantity) : "-",
                           best ? fmt::format("{:.3g}", study.results[*best].candidate_cpu) : "-"});

@@ -1,5 +1,6 @@
 #include "verification/study/effects.h"
 
+#include "verification/compare/gates.h"
 #include "verification/scene/read.h"
 
 #include <fmt/format.h>
@@ -175,14 +176,8 @@ class Changes {
 
 /// The narrowest gate on what the outcome is about, in its unit; without one 1 % of it.
 double tolerance_on(const Scene& scene, const Outcome& outcome) {
-  double narrowest = 0;
-  const std::string about = outcome.name.substr(0, outcome.name.find_first_of("@:"));
-  for (const Tolerance& tolerance : scene.comparison.tolerances) {
-    if (tolerance.quantity != about) continue;
-    const double value = about == "front_position" ? tolerance.value : tolerance.value * std::abs(outcome.value);
-    if (narrowest == 0 || value < narrowest) narrowest = value;
-  }
-  if (narrowest > 0) return narrowest;
+  const double gate = gate_on(scene, outcome.name.substr(0, outcome.name.find_first_of("@:")), outcome.value);
+  if (gate > 0) return gate;
   // Pressures near zero: half of what counts as arrival (compare/events.h).
   const double least = outcome.unit == "Pa" ? 100 : 0;
   return std::max(0.01 * std::abs(outcome.value), least);

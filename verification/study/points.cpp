@@ -1,5 +1,6 @@
 #include "verification/study/points.h"
 
+#include "reports/whole_file.h"
 #include "verification/run/content_hash.h"
 #include "verification/run/version.h"
 #include "verification/scene/document.h"
@@ -9,8 +10,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 
 namespace wetfront::verification {
 namespace {
@@ -20,8 +19,7 @@ void add_files(const Value& value, const std::filesystem::path& folder, ContentH
   std::error_code error;
   if (value.kind == Value::Kind::text && !value.text.empty() && value.text.size() < 4096 &&
       std::filesystem::is_regular_file(folder / value.text, error)) {
-    std::ifstream in(folder / value.text, std::ios::binary);
-    hash.add(std::string_view(std::string(std::istreambuf_iterator<char>(in), {})));
+    hash.add(std::string_view(reports::read_whole(folder / value.text)));
   }
   for (const Value& item : value.items) add_files(item, folder, hash);
   for (const Entry& entry : value.entries) add_files(entry.value, folder, hash);

@@ -2,7 +2,7 @@
 
 #include "verification/compare/verdict.h"
 #include "verification/present/figure_frame.h"
-#include "verification/run/provenance.h"
+#include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
 
@@ -166,14 +166,8 @@ std::string link_to(const std::filesystem::path& out, std::size_t index, const S
 reports::Record start_study(const std::string& kind, const std::filesystem::path& path,
                             const std::vector<PointResult>& results) {
   const Scene scene = read_scene(path);
-  reports::Record record;
+  reports::Record record = record_of(scene, mpm_mesh(scene));
   record.kind = kind;
-  record.case_name = case_name(path);
-  record.title = scene.title;
-  record.requirement = scene.requirement;
-  record.scene_path = path.string();
-  record.scene_text = scene.text;
-  record.provenance = provenance(scene.text, mpm_mesh(scene));
   std::vector<reports::Finding> verdicts;
   for (const PointResult& result : results) {
     record.cpu_seconds += result.candidate_cpu;

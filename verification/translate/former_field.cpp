@@ -1,8 +1,8 @@
 #include "verification/translate/former_field.h"
 
 #include "meshes/evaluate.h"
+#include "verification/translate/base64.h"
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -12,27 +12,6 @@
 
 namespace wetfront::verification {
 namespace {
-
-std::vector<unsigned char> from_base64(const std::string& text) {
-  static const std::array<int, 256> digit = [] {
-    std::array<int, 256> table;
-    table.fill(-1);
-    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (std::size_t i = 0; i < digits.size(); ++i) table[static_cast<unsigned char>(digits[i])] = static_cast<int>(i);
-    return table;
-  }();
-  std::vector<unsigned char> bytes;
-  std::uint32_t group = 0;
-  int held = 0;
-  for (const char c : text) {
-    if (digit[static_cast<unsigned char>(c)] < 0) continue;  // padding, line ends
-    group = group << 6 | static_cast<std::uint32_t>(digit[static_cast<unsigned char>(c)]);
-    if ((held += 6) < 8) continue;
-    held -= 8;
-    bytes.push_back(static_cast<unsigned char>(group >> held & 0xff));
-  }
-  return bytes;
-}
 
 class VtuFile {
  public:
@@ -57,7 +36,7 @@ class VtuFile {
     if (named == std::string::npos) fail("it has no '" + name + "'");
     const auto from = text_.find('>', named), to = text_.find("</DataArray>", named);
     if (from == std::string::npos || to == std::string::npos) fail("'" + name + "' does not end");
-    const std::vector<unsigned char> bytes = from_base64(text_.substr(from + 1, to - from - 1));
+    const std::string bytes = from_base64(text_.substr(from + 1, to - from - 1));
     std::uint64_t length = 0;
     if (bytes.size() >= sizeof length) std::memcpy(&length, bytes.data(), sizeof length);
     if (bytes.size() != sizeof length + length || length % sizeof(T) != 0) fail("'" + name + "' is cut off");
