@@ -3,6 +3,7 @@
 #include "reports/write.h"
 #include "verification/compare/verdict.h"
 #include "verification/present/field_files.h"
+#include "verification/present/field_pictures.h"
 #include "verification/present/figures.h"
 #include "verification/present/reference_error_table.h"
 #include "verification/present/side_table.h"
@@ -39,6 +40,8 @@ ReferenceResult run_reference(const Scene& scene, const std::filesystem::path& f
   const auto measurements = measure(scene, times, histories_of(history, result.runs));
   record.findings = bounds(scene, times, measurements, history.cpu_seconds);
   record.figures = figures_of_one(scene, history, "reference");
+  record.pictures = field_pictures(history, "reference");
+  record.pressure_per_head = pressure_per_head(scene);
   record.tables = {setup_table(scene, times),
                    ledger_table("reference", history, ledger_area(scene, history.mesh), times),
                    side_table("reference", history, times), reference_error_table(measurements)};

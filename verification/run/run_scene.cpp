@@ -8,7 +8,9 @@
 #include "verification/compare/verdict.h"
 #include "verification/compare/window.h"
 #include "verification/ledger/rerun_scene.h"
+#include "verification/present/body_film.h"
 #include "verification/present/field_files.h"
+#include "verification/present/field_pictures.h"
 #include "verification/present/figures.h"
 #include "verification/present/motion_balance.h"
 #include "verification/present/plan_text.h"
@@ -42,6 +44,7 @@ void add_candidate_tables(reports::Record& record, const Prepared& prepared, con
 reports::Record start_record(const Prepared& prepared) {
   const Scene& scene = prepared.scene;
   reports::Record record = record_of(scene, prepared.problem.mesh);
+  record.pressure_per_head = pressure_per_head(scene);
   record.plan_text = plan_text(mpm::plan(prepared.problem));
   record.tables.push_back(setup_table(scene, prepared.timeline));
   return record;
@@ -111,6 +114,7 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   record.verdict = overall(record.findings);
   std::erase_if(histories.candidate.snapshots, [failure](const auto& one) { return one.time > failure; });
   record.figures = figures(prepared.scene, window, histories, measurements);
+  record.pictures = field_pictures(histories);
   shade_after(record.figures, failure, prepared.timeline.end());
   record.tables.push_back(ledger_table("reference", histories.reference,
                                        ledger_area(prepared.scene, histories.reference.mesh), prepared.timeline));
@@ -141,6 +145,7 @@ void judge_alone(reports::Record& record, const Prepared& prepared, const Solved
   record.findings = judge(prepared.scene, prepared.timeline, measurements, history.cpu_seconds);
   record.verdict = overall(record.findings);
   record.figures = figures_of_one(prepared.scene, history, "MPM");
+  if (prepared.scene.water) record.pictures = field_pictures(history, "MPM");
 }
 
 }  // namespace
@@ -188,6 +193,7 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
     compare_into(record, prepared, result);
   else
     judge_alone(record, prepared, result.candidate);
+  record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
   add_body(record, prepared, result.candidate);
   add_candidate_tables(record, prepared, result.candidate.history);
