@@ -297,7 +297,7 @@ class WithJavaScript(Page, unittest.TestCase):
         self.assertNotIn("kPa", figure.text)
         self.point("pressure_profiles", 1, 5)  # away
         self.point("probe_pressure", 1, 5)
-        shown = self.only(".tip").text.replace("\u2212", "-").split("pore pressure ")[1].split("\u00a0")[0]
+        shown = self.only(".tip").text.replace("\u2212", "-").split("pore pressure ")[1].split()[0]
         self.assertAlmostEqual(float(shown), datum[1] / 9.81, delta=1e-4 * abs(datum[1]))
         self.chromium.execute_script("document.getElementById('in-kpa').click()")
         self.assertIn("[kPa]", figure.text)
