@@ -32,20 +32,20 @@ void ask_for_large_pages([[maybe_unused]] const std::vector<double>& reserved) {
 #endif
 }
 
-/// After it: memory that was in use before has small pages already, and columns shorter than a large one share it with
-/// their neighbours. Linux from 6.1 on can gather them at once.
-void gather_pages([[maybe_unused]] const std::vector<double>& values) {
+}  // namespace
+
+/// Memory that was in use before has small pages already, and arrays shorter than a large one share it with their
+/// neighbours. Linux from 6.1 on can gather them at once.
+void gather_pages([[maybe_unused]] const void* from, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
   constexpr std::size_t page = std::size_t{1} << 21, least = page / 8;
   constexpr int collapse = 25;  // MADV_COLLAPSE, which older headers do not know
-  if (values.size() * sizeof(double) < least) return;
-  const auto first = reinterpret_cast<std::uintptr_t>(values.data()) / page,
-             last = reinterpret_cast<std::uintptr_t>(values.data() + values.size() - 1) / page;
-  for (auto k = first; k <= last; ++k) madvise(reinterpret_cast<void*>(k * page), page, collapse);
+  if (bytes < least) return;
+  const auto begin = reinterpret_cast<std::uintptr_t>(from);
+  for (auto k = begin / page; k <= (begin + bytes - 1) / page; ++k)
+    madvise(reinterpret_cast<void*>(k * page), page, collapse);
 #endif
 }
-
-}  // namespace
 
 std::vector<double> long_zeros(std::size_t count) {
   return std::move(long_zeros(std::vector<std::size_t>{count})[0]);
@@ -59,7 +59,7 @@ std::vector<std::vector<double>> long_zeros(const std::vector<std::size_t>& coun
     ask_for_large_pages(all[k]);
   }
   for (std::size_t k = 0; k < counts.size(); ++k) all[k].resize(counts[k]);
-  for (const auto& values : all) gather_pages(values);
+  for (const auto& values : all) gather_pages(values.data(), values.size() * sizeof(double));
   return all;
 }
 

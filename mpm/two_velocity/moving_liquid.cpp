@@ -1,6 +1,7 @@
 #include "mpm/two_velocity/moving_liquid.h"
 
 #include "mpm/laws/soil_water.h"
+#include "mpm/plan/long_zeros.h"
 #include "mpm/two_velocity/over_cells.h"
 
 #include <algorithm>
@@ -35,6 +36,9 @@ MovingLiquid<dim>::MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& wat
       drag_(plan.fields.grid.node_count()),
       full_(plan.fields.grid.node_count()),
       all_(plan.fields.grid.node_count()) {
+  const auto gather = [](const auto& values) { gather_pages(values.data(), values.size() * sizeof(values[0])); };
+  gather(geometry_), gather(blocks_), gather(shares_), gather(nodes_), gather(gifts_), gather(back_);
+  gather(solid_at_), gather(decided_), gather(drag_), gather(full_), gather(all_);
   // As cells that were near the surface get theirs back: a continued run has the same bits.
   for (std::size_t cell = 0; cell < geometry_.size(); ++cell) set_faces(cell, true);
   for (const Soil& soil : plan.problem.soils) {
