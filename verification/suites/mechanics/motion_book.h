@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verification/suites/case_book.h"
+#include "verification/suites/mechanics/energy_split.h"
 #include "verification/suites/mechanics/motion.h"
 
 #include <functional>
@@ -25,10 +26,11 @@ class MotionBook {
  private:
   void enter(const std::string& label, const meshes::FieldHistory& history, std::size_t points);
   void balance(const meshes::FieldHistory& history);
-  reports::Table runs_;
-  double momentum_ = 0;  ///< worst drift of momentum of the runs, relative to what was exchanged
-  double energy_ = 0;    ///< worst drift of energy, relative to what was exchanged
-  int balanced_ = 0;     ///< runs with a ledger
+  void enter_energy(const std::string& label, const EnergySplit& split);
+  reports::Table runs_, energies_;
+  double momentum_ = 0;         ///< worst drift of momentum of the runs, relative to what was exchanged
+  double lost_ = 0, made_ = 0;  ///< worst of energy by mapping, relative to what was exchanged
+  int balanced_ = 0;            ///< runs with a ledger
 };
 
 /// A case whose page is written through a MotionBook.
