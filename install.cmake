@@ -16,7 +16,7 @@ if(TARGET wetfront)
   file(GLOB_RECURSE wetfront_pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS
     ${CMAKE_SOURCE_DIR}/fem_reference/*.md ${CMAKE_SOURCE_DIR}/meshes/*.md ${CMAKE_SOURCE_DIR}/mpm/*.md
     ${CMAKE_SOURCE_DIR}/reports/*.md ${CMAKE_SOURCE_DIR}/tests/*.md ${CMAKE_SOURCE_DIR}/verification/*.md)
-  foreach(page ${wetfront_pages} README.md LICENSE CITATION.cff CHANGELOG.md)
+  foreach(page ${wetfront_pages} verification/scene/scene.schema.json README.md LICENSE CITATION.cff CHANGELOG.md)
     get_filename_component(folder ${page} DIRECTORY)
     install(FILES ${page} DESTINATION ${wetfront_share}/${folder})
   endforeach()
