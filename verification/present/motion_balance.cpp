@@ -27,7 +27,7 @@ const MotionRow& row_at(const meshes::FieldHistory& history, double time) {
 Table motion_table(const meshes::FieldHistory& history, const Timeline& timeline) {
   Table table;
   table.title = "Energy and momentum of the skeleton";
-  table.section = "Motion";
+  table.section = "Energy and momentum";
   table.header = {"time [s]",       "kinetic [J]", "potential, change [J]", "stress work [J]", "work of loads [J]",
                   "resistance [J]", "drift [J]",   "drift, share [%]",      "momentum [N s]",  "momentum, drift"};
   std::vector<double> times = timeline.comparison_times;
@@ -55,7 +55,7 @@ Table motion_table(const meshes::FieldHistory& history, const Timeline& timeline
 
 std::vector<Figure> motion_figures(const meshes::FieldHistory& history) {
   if (history.motion.size() < 2) return {};
-  Figure figure = figure_frame({"energy", "Energy of the skeleton", "Motion"}, {"time", "s"}, {"energy", "J"});
+  Figure figure = figure_frame({"energy", "Energy of the skeleton", "Energy and momentum"}, {"time", "s"}, {"energy", "J"});
   const double first = history.motion.front().potential;
   const auto add = [&](const char* label, const auto& value) {
     reports::Series series;
