@@ -20,6 +20,7 @@ namespace {
 
 struct Run {
   Record record;
+  std::filesystem::path folder;  ///< absolute
   std::string link;
   std::vector<PastRun> past;
 };
@@ -127,37 +128,41 @@ std::string matrix(const std::vector<Run>& runs) {
   return out.str();
 }
 
-std::string summary(const std::vector<Run>& runs) {
+/// What the head of the page says of all runs.
+struct Summary {
   double cpu = 0;
-  Record verdicts;
-  for (const Run& run : runs) {
+  Record verdicts;  ///< one finding per run
+
+  void add(const Run& run) {
     cpu += run.record.cpu_seconds;
     verdicts.findings.emplace_back().verdict = run.record.verdict;
   }
-  return "<p class=\"summary\"><span>" + std::to_string(runs.size()) + " runs</span><span>" + verdict_counts(verdicts) +
-         "</span><span>" + html(duration_text(cpu)) + " of CPU time</span></p>";
-}
+  std::string text() const {
+    return "<p class=\"summary\"><span>" + std::to_string(verdicts.findings.size()) + " runs</span><span>" +
+           verdict_counts(verdicts) + "</span><span>" + html(duration_text(cpu)) + " of CPU time</span></p>";
+  }
+};
 
 std::vector<Run> runs_of(const RunGroup& group, const std::filesystem::path& home) {
   std::vector<Run> runs;
   for (const auto& folder : group.folders) {
-    const auto report = std::filesystem::absolute(folder) / "report.html";
-    runs.push_back({read_result(folder / "result.json"), url_path(report.lexically_relative(home).generic_string()),
-                    past_runs(folder)});
+    const auto whole = std::filesystem::absolute(folder);
+    const auto report = whole / "report.html";
+    runs.push_back({read_result(folder / "result.json"), whole,
+                    url_path(report.lexically_relative(home).generic_string()), past_runs(folder)});
   }
   return runs;
 }
 
 /// Tables with marks, such as the matrix of hard cases, from the runs' own pages; their links lead from this page.
-std::string marked_tables(const RunGroup& group, const std::filesystem::path& home) {
+std::string marked_tables(const std::vector<Run>& runs, const std::filesystem::path& home) {
   std::string tables;
-  for (const auto& folder : group.folders)
-    for (Table table : read_result(folder / "result.json").tables) {
-      if (table.marks.empty()) continue;
+  for (const Run& run : runs)
+    for (const Table& own : run.record.tables) {
+      if (own.marks.empty()) continue;
+      Table table = own;
       const auto from_here = [&](std::string& link) {
-        if (!link.empty())
-          link =
-              (std::filesystem::absolute(folder) / link).lexically_normal().lexically_relative(home).generic_string();
+        if (!link.empty()) link = (run.folder / link).lexically_normal().lexically_relative(home).generic_string();
       };
       for (std::string& link : table.links) from_here(link);
       for (auto& row : table.marks)
@@ -177,17 +182,17 @@ void write_index(const std::vector<std::filesystem::path>& run_folders, const st
 void write_index(const std::vector<RunGroup>& groups, const std::filesystem::path& page, const std::string& title) {
   const std::filesystem::path home = std::filesystem::absolute(page).parent_path();
   make_folder(home);
-  std::vector<Run> all;
+  Summary summary;
   std::string sections;
   for (const RunGroup& group : groups) {
     const std::vector<Run> runs = runs_of(group, home);
     sections += "<section>\n" + (group.title.empty() ? "" : "<h2>" + html(group.title) + "</h2>\n") +
-                marked_tables(group, home) + matrix(runs) + "</section>\n";
-    all.insert(all.end(), runs.begin(), runs.end());
+                marked_tables(runs, home) + matrix(runs) + "</section>\n";
+    for (const Run& run : runs) summary.add(run);
   }
   const std::string body =
       "<div class=\"overview\"><header><p class=\"kind\">wetfront · overview</p><h1>" + html(title) + "</h1>" +
-      summary(all) + "</header>\n<main>\n" + sections +
+      summary.text() + "</header>\n<main>\n" + sections +
       "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
       "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
       "own uncertainty. A case’s name and "
