@@ -77,6 +77,11 @@ std::string csv_cell(std::string_view text) {
   return out + "\"";
 }
 
+std::string script_json(std::string json) {
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) json.replace(at, 1, "\\u003c");
+  return json;
+}
+
 std::string url_path(std::string_view path) {
   std::string out;
   for (const char c : path) {

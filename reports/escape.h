@@ -16,6 +16,10 @@ std::string gnuplot_string(std::string_view text);
 /// For a CSV cell (RFC 4180): quoted when it holds a comma, a quote or a line break.
 std::string csv_cell(std::string_view text);
 
+/// JSON as the content of a <script> element: no '<', so that neither a closing tag nor a comment inside a string can
+/// end it.
+std::string script_json(std::string json);
+
 /// A relative path as a URL: everything but unreserved characters and '/' percent-encoded.
 std::string url_path(std::string_view path);
 

@@ -1,8 +1,10 @@
 #include "reports/figure_data.h"
 
 #include "reports/csv.h"
+#include "reports/escape.h"
 #include "reports/figure_script.h"
 #include "reports/palette.h"
+#include "reports/picture_json.h"
 #include "reports/thinned.h"
 
 #include <nlohmann/json.hpp>
@@ -43,20 +45,14 @@ std::string figure_data(const Figure& figure, const FigureAxes& axes) {
   data["series"] = Json::array();
   for (std::size_t s = 0; s < figure.series.size(); ++s) {
     const Series series = thinned(figure.series[s]);
-    const char* style = series.style == Series::Style::points   ? "points"
-                        : series.style == Series::Style::dashed ? "dashed"
-                                                                : "line";
     data["series"].push_back({{"label", series.label},
-                              {"style", style},
+                              {"style", style_key(series.style)},
                               {"colour", colour_of(indices[s])},
                               {"mark", "#" + figure.id + "_gpPt" + std::to_string(mark_of(indices[s]) - 1)},
                               {"x", rounded(series.x)},
                               {"y", rounded(series.y)}});
   }
-  std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
-  // No '<': neither a closing tag nor a comment inside a string can end the <script> element.
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
-  return text;
+  return script_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace wetfront::reports

@@ -68,20 +68,30 @@ std::string ground(const Film& film, const PlaneDrawing& plane) {
   return out;
 }
 
-/// Points as dots, one path per band.
-std::string dots(const Film& film, std::size_t frame, const PlaneDrawing& plane, const ColourBands& bands) {
+/// The points that still frames show, and how thick [tenths of a pixel].
+struct Dots {
+  std::vector<std::size_t> shown;
+  double thick;
+};
+
+Dots dots_of(const Film& film, const PlaneDrawing& plane) {
   const auto shown = spread_evenly(static_cast<std::size_t>(film.points), points_of_still);
+  const double thinner = std::sqrt(static_cast<double>(film.points) / std::max(1.0, static_cast<double>(shown.size())));
+  return {shown, std::clamp(1.1 * spacing(film) * thinner * plane.scale(), 8.0, 80.0)};
+}
+
+/// One path per band.
+std::string drawn(const Dots& dots, const Film& film, std::size_t frame, const PlaneDrawing& plane,
+                  const ColourBands& bands) {
   std::vector<std::string> paths(bands.colours.size());
-  for (const std::size_t p : shown) {
+  for (const std::size_t p : dots.shown) {
     std::string& path = paths[bands.band_of(film_value(film, frame, first_quantity, p))];
     path += 'M';
     path += std::to_string(plane.x(film_value(film, frame, 0, p))) + " ";
     path += std::to_string(plane.y(film_value(film, frame, 1, p))) + "h0";
   }
-  const double thinner = std::sqrt(static_cast<double>(film.points) / std::max(1.0, static_cast<double>(shown.size())));
-  const double dot = std::clamp(1.1 * spacing(film) * thinner * plane.scale(), 8.0, 80.0);
   std::ostringstream out;
-  out << "<g stroke-linecap=\"round\" fill=\"none\" stroke-width=\"" << std::lround(dot) << "\">";
+  out << "<g stroke-linecap=\"round\" fill=\"none\" stroke-width=\"" << std::lround(dots.thick) << "\">";
   for (std::size_t band = 0; band < paths.size(); ++band)
     if (!paths[band].empty()) out << "<path stroke=\"" << bands.colours[band] << "\" d=\"" << paths[band] << "\"/>\n";
   out << "</g>";
@@ -107,11 +117,12 @@ std::vector<RowPanel> stills(const Film& film, double pressure_per_head) {
   const PlaneDrawing plane(extent_of(film), still_width);
   const Film::Channel& shown = film.channels[first_quantity];
   const ColourBands bands = bands_of(shown);
+  const Dots dots = dots_of(film, plane);
   std::vector<RowPanel> panels;
   for (const std::size_t frame : still_frames(film))
     panels.push_back({when(film.frames[frame]),
-                      plane.open(film.title + ": " + when(film.frames[frame])) + dots(film, frame, plane, bands) +
-                          ground(film, plane) + plane.frame() + "</svg>",
+                      plane.open(film.title + ": " + when(film.frames[frame])) +
+                          drawn(dots, film, frame, plane, bands) + ground(film, plane) + plane.frame() + "</svg>",
                       legend_svg(bands, {shown.name, shown.unit, pressure_per_head}, still_width)});
   return panels;
 }
@@ -135,9 +146,7 @@ std::string film_data(const Film& film, const PlaneDrawing& plane) {
     data["channels"].push_back(entry);
   }
   for (const Film::Frame& frame : film.frames) data["frames"].push_back(when(frame));
-  std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
-  return text;
+  return script_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 bool can_be_shown(const Film& film) {

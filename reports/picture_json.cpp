@@ -11,10 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* style_key(Series::Style style) {
-  return style == Series::Style::line ? "line" : style == Series::Style::dashed ? "dashed" : "points";
-}
-
 Series::Style style_from(const std::string& key) {
   for (const auto style : {Series::Style::line, Series::Style::dashed, Series::Style::points})
     if (key == style_key(style)) return style;
@@ -22,6 +18,10 @@ Series::Style style_from(const std::string& key) {
 }
 
 }  // namespace
+
+const char* style_key(Series::Style style) {
+  return style == Series::Style::line ? "line" : style == Series::Style::dashed ? "dashed" : "points";
+}
 
 Json series_json(const Series& series) {
   return {{"label", series.label},

@@ -14,6 +14,8 @@ nlohmann::ordered_json film_json(const Film& film);
 /// Throws std::runtime_error when the numbers are not as many as frames, channels and points ask for.
 Film film_from(const nlohmann::ordered_json& json);
 
+/// "line", "dashed", "points"
+const char* style_key(Series::Style style);
 nlohmann::ordered_json series_json(const Series& series);
 Series series_from(const nlohmann::ordered_json& json);
 
