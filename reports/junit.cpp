@@ -2,10 +2,8 @@
 
 #include "reports/escape.h"
 #include "reports/number_text.h"
-#include "reports/record_json.h"
 #include "reports/whole_file.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 

@@ -92,14 +92,16 @@ void remember(const Record& record, const std::filesystem::path& folder) {
 }
 
 std::vector<PastRun> past_runs(const std::filesystem::path& folder, std::size_t most) {
-  std::vector<PastRun> runs;
+  std::vector<std::string> lines;
   std::ifstream in(folder / file_name);
-  for (std::string line; std::getline(in, line);) try {
-      runs.push_back(run_from(Json::parse(line)));
+  for (std::string line; std::getline(in, line);) lines.push_back(std::move(line));
+  std::vector<PastRun> runs;  // from the newest, so that no more are parsed than are asked for
+  for (auto line = lines.rbegin(); line != lines.rend() && runs.size() < most; ++line) try {
+      runs.push_back(run_from(Json::parse(*line)));
     } catch (const std::exception&) {
       continue;  // torn by a full disk or a kill: the others still tell
     }
-  if (runs.size() > most) runs.erase(runs.begin(), runs.end() - static_cast<std::ptrdiff_t>(most));
+  std::ranges::reverse(runs);
   return runs;
 }
 

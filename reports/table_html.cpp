@@ -64,9 +64,12 @@ std::string table_html(const Table& table, TableForm form) {
       << html(table.title) << "</b>";
   if (!table.caption.empty()) out << " <span>" << html(table.caption) << "</span>";
   out << "</caption><thead><tr>";
-  const auto kind = [&](std::size_t column) { return numeric_column(table, column) ? " class=\"number\"" : ""; };
+  std::size_t columns = table.header.size();
+  for (const auto& row : table.rows) columns = std::max(columns, row.size());
+  std::vector<const char*> kind;
+  for (std::size_t c = 0; c < columns; ++c) kind.push_back(numeric_column(table, c) ? " class=\"number\"" : "");
   for (std::size_t c = 0; c < table.header.size(); ++c)
-    out << "<th" << kind(c) << ">" << html(table.header[c]) << "</th>";
+    out << "<th" << kind[c] << ">" << html(table.header[c]) << "</th>";
   out << "</tr></thead><tbody>\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const auto& row = table.rows[r];
@@ -76,7 +79,7 @@ std::string table_html(const Table& table, TableForm form) {
         out << marked(*mark, row[c], form);
         continue;
       }
-      out << "<td" << kind(c) << (c < table.header.size() ? share_style(table.header[c], row[c]) : "") << ">"
+      out << "<td" << kind[c] << (c < table.header.size() ? share_style(table.header[c], row[c]) : "") << ">"
           << (c == 0 && r < table.links.size() ? linked(row[c], table.links[r]) : html(row[c])) << "</td>";
     }
     out << "</tr>\n";
