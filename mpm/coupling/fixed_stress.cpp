@@ -24,11 +24,6 @@ template <int dim>
 void FixedStress<dim>::join_own() {
   StagePlan<dim>& plan = *plan_;
   const std::string volume = dim == 2 ? "m2" : "m3";
-  // After a stage in true time points weigh what grains and water do.
-  if (const Column* grains = plan.fields.points.columns.find("grain mass"); grains != nullptr && grains->allocated())
-    plan.at_entry([grains, mass = &plan.require_on_points("mass")] {
-      std::ranges::copy(grains->values(), mass->values().begin());
-    });
   const int soils = static_cast<int>(plan.problem.soils.size());
   const auto in_step = [&](const char* name, const char* symbol, const std::string& unit, int components) {
     return &plan.provide_on_nodes({name, symbol, unit, components, Lifetime::step});

@@ -117,20 +117,7 @@ double Relaxer<dim>::kinetic_energy() const {
 }
 
 template <int dim>
-double Relaxer<dim>::moved(const std::vector<double>& since) const {
-  double most = 0;
-  const std::size_t nodes = displacement_->size();
-  for (std::size_t i = 0; i < nodes; ++i) {
-    Vector<dim> d{};
-    for (int a = 0; a < dim; ++a) d[a] = (*displacement_)[a][i] - since[static_cast<std::size_t>(a) * nodes + i];
-    most = std::max(most, length<dim>(d));
-  }
-  return most;
-}
-
-/// A slide moves many nodes; a corner with a sliver of soil moves first and says nothing.
-template <int dim>
-double Relaxer<dim>::slid(const std::vector<double>& since) const {
+std::vector<double> Relaxer<dim>::ways(const std::vector<double>& since) const {
   const std::size_t nodes = displacement_->size();
   std::vector<double> all;
   for (std::size_t i = 0; i < nodes; ++i) {
@@ -139,8 +126,23 @@ double Relaxer<dim>::slid(const std::vector<double>& since) const {
     for (int a = 0; a < dim; ++a) d[a] = (*displacement_)[a][i] - since[static_cast<std::size_t>(a) * nodes + i];
     all.push_back(length<dim>(d));
   }
+  return all;
+}
+
+template <int dim>
+double Relaxer<dim>::moved(const std::vector<double>& since) const {
+  double most = 0;
+  for (const double way : ways(since)) most = std::max(most, way);
+  return most;
+}
+
+/// A slide moves many nodes; a corner with a sliver of soil moves first and says nothing.
+template <int dim>
+double Relaxer<dim>::slid(const std::vector<double>& since) const {
+  constexpr double below = 0.95;  // of the nodes move less
+  std::vector<double> all = ways(since);
   if (all.empty()) return 0;
-  const auto place = all.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(all.size() - 1));
+  const auto place = all.begin() + static_cast<std::ptrdiff_t>(below * static_cast<double>(all.size() - 1));
   std::nth_element(all.begin(), place, all.end());
   return *place;
 }
@@ -233,8 +235,7 @@ void Relaxer<dim>::look_for_failure(Outcome& outcome) const {
   std::snprintf(
       text, sizeof text,
       "no equilibrium: a twentieth of the nodes have moved more than %.3g m (limit %.3g m), %.3g of the forces are out "
-      "of balance (limit "
-      "%.3g) after %ld iterations (limit %ld)",
+      "of balance (limit %.3g) after %ld iterations (limit %ld)",
       far, criterion.displacement, outcome.ratio, criterion.unbalanced_ratio, outcome.iterations, most_iterations_);
   throw SkeletonFailed(text);
 }

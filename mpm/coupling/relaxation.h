@@ -44,7 +44,8 @@ class Relaxer {
   void move_by_cycle();
   [[noreturn]] void give_up(const Outcome& outcome) const;
   void look_for_failure(Outcome& outcome) const;
-  /// How far the farthest node has moved, and how far 5 % of the nodes at least [m].
+  /// How far each node with soil has moved, the farthest of them, and 5 % of them at least [m].
+  std::vector<double> ways(const std::vector<double>& since) const;
   double moved(const std::vector<double>& since) const;
   double slid(const std::vector<double>& since) const;
 

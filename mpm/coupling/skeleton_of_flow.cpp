@@ -15,8 +15,7 @@ void SkeletonOfFlow<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, con
   c_ = columns;
   contents_ = &contents;
   refresh_ = std::move(refresh);
-  const Column* earlier_water = plan.fields.points.columns.find("water");
-  fresh_ = earlier_water == nullptr || !earlier_water->allocated();
+  fresh_ = plan.fields.points.columns.find_allocated("water") == nullptr;
   volume_ = &plan.require_on_points("volume");
   value_ = &plan.provide_on_points(shape_value_spec<dim>());
   gradient_ = &plan.provide_on_points(shape_gradient_spec<dim>());

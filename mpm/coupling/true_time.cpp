@@ -39,8 +39,6 @@ void TrueTimeMotion<dim>::join_own() {
       throw CannotPlan(plan.stage.origin + ": stage '" + plan.stage.name +
                        "' moves soil with incompressible water in true time (undrained, its pressure would have no "
                        "bound). Give the water its bulk modulus");
-  const Column* earlier_grains = plan.fields.points.columns.find("grain mass");
-  const bool weighed = earlier_grains != nullptr && earlier_grains->allocated();
   mass_ = &plan.require_on_points("mass");
   force_ = &plan.require_on_nodes("force");
   grains_ = &plan.provide_on_points({"grain mass", "m_s", dim == 2 ? "kg/m" : "kg"});
@@ -54,12 +52,12 @@ void TrueTimeMotion<dim>::join_own() {
     cells_.back().share.fill(1.0 / cell_nodes<dim>);
   }
   cycle_->conditions.push_back(std::make_unique<PoreForce>(*this));
-  // At entry "mass" is that of the grains, but after a stage that has weighed its points already.
-  if (!weighed) plan.at_entry([this] { std::ranges::copy(mass_->values(), grains_->values().begin()); });
+  // At entry "mass" is that of the grains.
+  plan.at_entry([this] { std::ranges::copy(mass_->values(), grains_->values().begin()); });
   plan.add_accuracy_limit("flow beside motion", "16 cycles of the skeleton",
                           [this] { return cycles_per_step * longest_cycle(); });
   // Nodes that points reach on the way have no pressure before the flow is solved again.
-  plan.add_accuracy_limit("motion beside flow", "half a cell", [this] { return shortest_crossing() / 2; });
+  plan.add_accuracy_limit("motion beside flow", "half a cell", [this] { return cycle_->crossing() / 2; });
   plan.at_record([this](double, meshes::FieldHistory& history) {
     history.counters["cycles in true time"] += static_cast<double>(std::exchange(cycles_, 0));
   });
@@ -140,23 +138,6 @@ double TrueTimeMotion<dim>::longest_cycle() const {
     shortest = std::min(shortest, h * std::sqrt(mass / (volume * stiffness)));
   }
   return plan_->stage.step_safety * std::min(shortest, cycle_->stable_step());
-}
-
-/// Least time in which a point crosses its cell [s].
-template <int dim>
-double TrueTimeMotion<dim>::shortest_crossing() const {
-  double fastest = 0;  // |v|^2/h^2
-  for (const Block& block : plan_->fields.points.blocks()) {
-    double square = 0;
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      double speed = 0;
-      for (int a = 0; a < dim; ++a) speed += (*velocity_)[a][q] * (*velocity_)[a][q];
-      square = std::max(square, speed);
-    }
-    const double h = plan_->fields.grid.smallest_altitude(block.cell);
-    fastest = std::max(fastest, square / (h * h));
-  }
-  return fastest > 0 ? 1 / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
 /// f_i += V chi p grad N_i with the mean gradient of the cell and its mean pore stress, the adjoint of the volume that

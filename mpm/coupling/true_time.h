@@ -36,7 +36,6 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
   double answered(std::size_t node) const;
   void weigh_points();
   double longest_cycle() const;
-  double shortest_crossing() const;
 
   using SkeletonOfFlow<dim>::c_, SkeletonOfFlow<dim>::carried_, SkeletonOfFlow<dim>::contents_,
       SkeletonOfFlow<dim>::cycle_, SkeletonOfFlow<dim>::fresh_, SkeletonOfFlow<dim>::plan_, SkeletonOfFlow<dim>::value_,

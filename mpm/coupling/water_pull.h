@@ -22,18 +22,18 @@ class WaterPull : public NodalCondition<dim> {
   void add_force() override;
 
  private:
-  /// What one cell's points give to its nodes.
+  /// Sums over one cell's points at its nodes.
   struct CellPull {
-    std::array<Vector<dim>, cell_nodes<dim>> push{};  ///< N (N/m)
-    std::array<double, cell_nodes<dim>> water{};      ///< m^dim
+    std::array<Vector<dim>, cell_nodes<dim>> push{};  ///< of push_ grad N_i
+    std::array<double, cell_nodes<dim>> water{};      ///< of W N_i [m^dim]
   };
-  bool averaged() const;
   CellPull in_affine(const Block& block) const;
   CellPull in_any(const Block& block) const;
 
   StagePlan<dim>& plan_;
   Column& force_;
   const Column &volume_, &pore_stress_, &water_;
+  std::vector<double> push_;  ///< of the points of the cell at hand
 };
 
 }  // namespace wetfront::mpm

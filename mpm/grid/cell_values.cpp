@@ -8,6 +8,8 @@ namespace wetfront::mpm {
 
 namespace {
 
+using HasSoil = std::function<bool(std::size_t)>;
+
 template <int dim>
 struct MeanGradient {
   Vector<dim> sum{};
@@ -19,11 +21,11 @@ template <int dim>
 using NodalGradients = std::map<std::pair<int, int>, MeanGradient<dim>>;
 
 template <int dim>
-NodalGradients<dim> average_gradients(const Grid<dim>& grid, const double* nodal, const std::vector<char>& soil) {
+NodalGradients<dim> average_gradients(const Grid<dim>& grid, const double* nodal, const HasSoil& has_soil) {
   NodalGradients<dim> gradients;
   Stencil<dim> stencil;
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-    if (!soil[cell]) continue;
+    if (!has_soil(cell)) continue;
     const int* nodes = grid.cell_nodes_of(cell);
     grid.stencil(cell, Vector<dim>{}, stencil);
     Vector<dim> gradient{};
@@ -41,8 +43,8 @@ NodalGradients<dim> average_gradients(const Grid<dim>& grid, const double* nodal
 }  // namespace
 
 template <int dim>
-std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal, const std::vector<char>& soil) {
-  const auto gradients = average_gradients(grid, nodal, soil);
+std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal, const HasSoil& has_soil) {
+  const auto gradients = average_gradients(grid, nodal, has_soil);
   std::vector<double> values;
   values.reserve(grid.cell_count());
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
@@ -63,7 +65,7 @@ std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal, cons
   return values;
 }
 
-template std::vector<double> cell_values<2>(const Grid<2>&, const double*, const std::vector<char>&);
-template std::vector<double> cell_values<3>(const Grid<3>&, const double*, const std::vector<char>&);
+template std::vector<double> cell_values<2>(const Grid<2>&, const double*, const HasSoil&);
+template std::vector<double> cell_values<3>(const Grid<3>&, const double*, const HasSoil&);
 
 }  // namespace wetfront::mpm

@@ -2,6 +2,7 @@
 
 #include "mpm/grid/grid.h"
 
+#include <functional>
 #include <vector>
 
 namespace wetfront::mpm {
@@ -11,9 +12,10 @@ namespace wetfront::mpm {
 /// g_i = mean of the centre gradients of the cells of one region around the corner (gradient averaging after
 /// Zienkiewicz and Zhu 1987). The mean of the corners alone misses p_c by h2/8 p'' at a wetting front, more than the
 /// scheme's own error there (README, section 8). The value is kept within those of the cell's corners, so that it
-/// makes no new extremum. Only cells with soil (one mark per cell) have a gradient: nodal values above the ground mean
+/// makes no new extremum. Only cells with soil have a gradient: nodal values above the ground mean
 /// nothing.
 template <int dim>
-std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal, const std::vector<char>& soil);
+std::vector<double> cell_values(const Grid<dim>& grid, const double* nodal,
+                                const std::function<bool(std::size_t)>& has_soil);
 
 }  // namespace wetfront::mpm

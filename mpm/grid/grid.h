@@ -21,6 +21,7 @@ class Grid {
   int region(std::size_t cell) const { return regions_[cell]; }
   /// Shortest distance between two nodes of the cell's opposite faces [m]: its smallest altitude.
   double smallest_altitude(std::size_t cell) const { return altitude_[cell]; }
+  const std::vector<double>& smallest_altitudes() const { return altitude_; }
 
   /// Local coordinates of a place, in [-1, 1]^dim when it lies inside. One small matrix product in an affine cell
   /// (parallelogram), Newton's method in others.

@@ -71,9 +71,18 @@ const Column* ColumnSet::find(const std::string& name) const {
   return const_cast<ColumnSet*>(this)->find(name);
 }
 
-Column& ColumnSet::at(const std::string& name) {
+Column* ColumnSet::find_allocated(const std::string& name) {
   Column* column = find(name);
-  if (column == nullptr || !column->allocated()) throw std::out_of_range("no column '" + name + "' in this plan");
+  return column != nullptr && column->allocated() ? column : nullptr;
+}
+
+const Column* ColumnSet::find_allocated(const std::string& name) const {
+  return const_cast<ColumnSet*>(this)->find_allocated(name);
+}
+
+Column& ColumnSet::at(const std::string& name) {
+  Column* column = find_allocated(name);
+  if (column == nullptr) throw std::out_of_range("no column '" + name + "' in this plan");
   return *column;
 }
 

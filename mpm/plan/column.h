@@ -72,6 +72,9 @@ class ColumnSet {
 
   Column* find(const std::string& name);
   const Column* find(const std::string& name) const;
+  /// The column where it holds data, of this plan or of one before; nullptr elsewhere.
+  Column* find_allocated(const std::string& name);
+  const Column* find_allocated(const std::string& name) const;
   /// The column, allocated and provided; throws std::out_of_range naming it otherwise.
   Column& at(const std::string& name);
 

@@ -21,8 +21,8 @@ template <int dim>
 Picture picture_of(const StagePlan<dim>& plan, double time, const std::string& of) {
   Picture picture{snapshot_of(plan, time), of, {}};
   const auto& points = plan.fields.points;
-  const Column* began = points.columns.find("initial position");
-  if (began == nullptr || !began->allocated()) return picture;
+  const Column* began = points.columns.find_allocated("initial position");
+  if (began == nullptr) return picture;
   for (const Block& block : points.blocks())
     for (std::size_t p = block.first; p < block.first + block.count; ++p) {
       Vector<dim> moved = points.position(p);

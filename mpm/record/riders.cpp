@@ -30,8 +30,7 @@ std::size_t nearest(const StagePlan<dim>& plan, const Column& began, const meshe
 template <int dim>
 void Riders<dim>::join(StagePlan<dim>& plan) {
   const Column &position = plan.require_on_points("position"), &velocity = plan.require_on_points("velocity");
-  const Column* earlier = plan.fields.points.columns.find("initial position");
-  const bool fresh = earlier == nullptr || !earlier->allocated();
+  const bool fresh = plan.fields.points.columns.find_allocated("initial position") == nullptr;
   // A problem with a body acceleration makes the skeleton remember the same.
   const bool remembered = static_cast<bool>(plan.problem.body_acceleration);
   Column& began = remembered ? plan.require_on_points("initial position")

@@ -142,8 +142,8 @@ void RunGuard<dim>::before_step(long steps_taken) {
 
 template <int dim>
 void RunGuard<dim>::after_step(long steps_taken) {
-  const Column* ledger = plan_.fields.run.find("water ledger");
-  const bool sound = ledger == nullptr || !ledger->allocated() || all_finite(ledger->values());
+  const Column* ledger = plan_.fields.run.find_allocated("water ledger");
+  const bool sound = ledger == nullptr || all_finite(ledger->values());
   if (sound && steps_taken % steps_between_scans != 0 && plan_.conditionally_stable()) return;
   check_finite();
   check_heads();
@@ -212,8 +212,8 @@ void RunGuard<dim>::check_finite() const {
 
 template <int dim>
 void RunGuard<dim>::check_heads() {
-  const Column* pressure = plan_.fields.grid.columns.find("pressure");
-  if (highest_.empty() || pressure == nullptr || !pressure->allocated()) return;
+  const Column* pressure = plan_.fields.grid.columns.find_allocated("pressure");
+  if (highest_.empty() || pressure == nullptr) return;
   const double* p = (*pressure)[0];
   for (std::size_t i = 0; i < highest_.size(); ++i) {
     const double beyond = std::max(p[i] - highest_[i], lowest_[i] - p[i]);
@@ -235,9 +235,8 @@ void RunGuard<dim>::tell(meshes::FieldHistory& history) const {
 template <int dim>
 void RunGuard<dim>::check_kinetic_energy() const {
   const ColumnSet& points = plan_.fields.points.columns;
-  const Column *water = points.find("water"), *velocity = points.find("liquid velocity");
-  if (highest_.empty() || water == nullptr || velocity == nullptr || !water->allocated() || !velocity->allocated())
-    return;
+  const Column *water = points.find_allocated("water"), *velocity = points.find_allocated("liquid velocity");
+  if (highest_.empty() || water == nullptr || velocity == nullptr) return;
   double energy = 0, volume = 0;
   for (std::size_t q = 0; q < water->size(); ++q) {
     double square = 0;

@@ -16,8 +16,7 @@ void Seepage<dim>::provide_columns(StagePlan<dim>& plan) {
   const auto in_step = [&](const char* name, const char* symbol, const std::string& unit, int components = 1) {
     return &plan.provide_on_nodes({name, symbol, unit, components, Lifetime::step});
   };
-  const Column* earlier_pressure = plan.fields.grid.columns.find("pressure");
-  const bool fresh = earlier_pressure == nullptr || !earlier_pressure->allocated();
+  const bool fresh = plan.fields.grid.columns.find_allocated("pressure") == nullptr;
   columns_.pressure = carried("pressure", "p", "Pa");
   columns_.pressure_before = carried("pressure before", "p'", "Pa");
   columns_.pressure_earlier = carried("pressure earlier", "p''", "Pa");

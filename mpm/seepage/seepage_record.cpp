@@ -88,9 +88,7 @@ void Seepage<dim>::add_output(StagePlan<dim>& plan) {
     const double* p = (*columns_.pressure)[0];
     out.node_pressure.assign(p, p + grid.node_count());
     out.node_saturation.assign(grid.node_count(), std::numeric_limits<double>::quiet_NaN());
-    std::vector<char> soil(grid.cell_count());
-    for (const Block& block : plan.fields.points.blocks()) soil[block.cell] = 1;
-    out.cell_pressure = cell_values(grid, p, soil);
+    out.cell_pressure = cell_values<dim>(grid, p, [&plan](std::size_t c) { return plan.fields.points.occupied(c); });
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
       const SoilContent& content = soils_[static_cast<std::size_t>(grid.region(cell))].content;
       for (int i = 0; i < cell_nodes<dim>; ++i) {

@@ -23,8 +23,7 @@ void DeformingSkeleton<dim>::provide_columns(StagePlan<dim>& plan) {
   const std::string force = dim == 2 ? "N/m" : "N";
   c_.position = &plan.require_on_points("position");
   c_.volume = &plan.require_on_points("volume");
-  const Column* earlier_mass = plan.fields.points.columns.find("mass");
-  const bool fresh = earlier_mass == nullptr || !earlier_mass->allocated();
+  const bool fresh = plan.fields.points.columns.find_allocated("mass") == nullptr;
   c_.mass = &plan.provide_on_points({"mass", "m_s", mass});
   c_.velocity = &plan.provide_on_points({"velocity", "v_s", "m/s", dim});
   c_.stress = &plan.provide_on_points({"stress", "sigma'", "Pa", stress_components<dim>});
@@ -37,6 +36,9 @@ void DeformingSkeleton<dim>::provide_columns(StagePlan<dim>& plan) {
       {"skeleton rates", "(c/h)^2, (v/h)^2", "1/s2", 2 * static_cast<int>(plan.problem.soils.size())});
   provide_variants(plan);
   if (fresh) plan.at_entry([this, &plan] { begin_points(plan); });
+  // A stage in true time has weighed its points with their water (coupling/true_time.h).
+  if (const Column* grains = plan.fields.points.columns.find_allocated("grain mass"))
+    plan.at_entry([this, grains] { std::ranges::copy(grains->values(), c_.mass->values().begin()); });
 }
 
 /// Columns that only some schemes and problems call for.
@@ -78,7 +80,7 @@ template <int dim>
 void DeformingSkeleton<dim>::begin_affine(StagePlan<dim>& plan) {
   const auto& points = plan.fields.points;
   for (const Block& block : points.blocks()) {
-    const double arm = 1e-3 * altitude_[block.cell];
+    const double arm = 1e-3 * plan.fields.grid.smallest_altitude(block.cell);
     for (std::size_t p = block.first; p < block.first + block.count; ++p)
       for (int b = 0; b < dim; ++b) {
         Vector<dim> before = points.position(p), after = before;
@@ -134,8 +136,6 @@ std::vector<int> open_nodes(const Problem<dim>& problem) {
 template <int dim>
 void DeformingSkeleton<dim>::choose_laws(StagePlan<dim>& plan) {
   const auto& grid = plan.fields.grid;
-  altitude_.clear();
-  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) altitude_.push_back(grid.smallest_altitude(cell));
   std::map<std::string, Column*> provided;
   const auto memory = [&](const std::vector<ColumnSpec>& specs) {
     std::vector<MemoryColumn> columns;
@@ -146,7 +146,7 @@ void DeformingSkeleton<dim>::choose_laws(StagePlan<dim>& plan) {
     }
     return columns;
   };
-  const SoilMotionSetting<dim> setting{c_, altitude_, memory};
+  const SoilMotionSetting<dim> setting{c_, grid.smallest_altitudes(), memory};
   for (const Soil& soil : plan.problem.soils) {
     if (soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law))
       c_.suction = &plan.require_on_points("suction");
@@ -200,6 +200,7 @@ void DeformingSkeleton<dim>::add_limits(StagePlan<dim>& plan) {
     for (std::size_t r = 0; r < soils; ++r) rate = std::max(rate, (*rates_)[2 * static_cast<int>(r) + 1][0]);
     return 1 / std::sqrt(rate);
   };
+  cycle_->crossing = motion;
   cycle_->stable_step = [wave, motion, soils = soils_.size()] {
     double step = motion();
     for (std::size_t r = 0; r < soils; ++r) step = std::min(step, wave(r));

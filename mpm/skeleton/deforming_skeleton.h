@@ -71,7 +71,6 @@ class DeformingSkeleton : public Effect<dim> {
   std::unique_ptr<SplineGrid<dim>> splines_;    ///< where they move the skeleton; null: linear functions
   std::unique_ptr<Team> team_;
   std::unique_ptr<ActiveNodes> active_;
-  std::vector<double> altitude_;     ///< per cell [m]
   std::vector<MoveFindings> found_;  ///< per soil and chunk
   double light_ = 0;                 ///< a tenth of the heaviest node [kg]
   long version_ = -1;                ///< of the points' cells when chunks and active nodes were found

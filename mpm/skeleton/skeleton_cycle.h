@@ -59,6 +59,8 @@ struct SkeletonCycle {
          *migrate = nullptr;
   /// The longest stable dt at the present state, without a safety factor [s].
   std::function<double()> stable_step;
+  /// The least time in which a point crosses its cell, h/|v| [s].
+  std::function<double()> crossing;
 
   /// Nodes held by fixities, per axis: 1 where held. Reactions there do not count as out of balance.
   std::array<std::vector<char>, 3> fixed;

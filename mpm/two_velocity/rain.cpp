@@ -297,8 +297,7 @@ void RainOnTwoVelocity<dim>::join(StagePlan<dim>& plan) {
   ledger_ = &plan.require_on_run("water ledger");
   plan.require_on_points("liquid velocity");
   if (water_->surface || water_->body != nullptr) {
-    const Column* earlier = plan.fields.grid.columns.find("rain asked of pieces");
-    const bool fresh = earlier == nullptr || !earlier->allocated();
+    const bool fresh = plan.fields.grid.columns.find_allocated("rain asked of pieces") == nullptr;
     on_pieces_ = &plan.provide_on_nodes({"rain asked of pieces", "Q_rain", volume});
     // What the stages before were asked for counts on.
     if (fresh && water_->body != nullptr)

@@ -19,8 +19,8 @@ namespace wetfront::mpm {
 template <int dim>
 void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
   const auto& columns = plan.fields.grid.columns;
-  const Column* seepage = columns.find("stored water");
-  const bool after_seepage = seepage != nullptr && seepage->allocated();
+  const Column* seepage = columns.find_allocated("stored water");
+  const bool after_seepage = seepage != nullptr;
   if (!after_seepage)
     std::copy(plan.problem.initial_pressure.begin(), plan.problem.initial_pressure.end(), (*water_->pressure)[0]);
   const auto& points = plan.fields.points;
@@ -76,9 +76,7 @@ void TwoVelocityLiquid<dim>::fit_full_cell(const StagePlan<dim>& plan, const Blo
   constexpr double nearly_full = 0.01;  // in S, as for points in seepage (coupling/carried_water.cpp)
   const double own = std::clamp((saturated - content) / nearly_full, 0.0, 1.0);
   const auto& columns = plan.fields.points.columns;
-  const Column* weighed = columns.find("grain mass");
-  const Column& grains = weighed != nullptr && weighed->allocated() ? *weighed : *columns.find("mass");
-  const Column& volume = *columns.find("volume");
+  const Column &grains = *columns.find("mass"), &volume = *columns.find("volume");
   const double density = plan.problem.soils[static_cast<std::size_t>(block.soil)].grain_density;
   for (std::size_t q = block.first; q < block.first + block.count; ++q) {
     double& water = (*point_water_)[0][q];

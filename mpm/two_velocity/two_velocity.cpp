@@ -58,12 +58,9 @@ void TwoVelocityLiquid<dim>::sum_cells(StagePlan<dim>& plan) {
 template <int dim>
 void TwoVelocityLiquid<dim>::join(StagePlan<dim>& plan) {
   refuse_what_it_cannot_do(plan);
-  const auto there = [&plan](const char* name) {
-    const Column* earlier = plan.fields.points.columns.find(name);
-    return earlier != nullptr && earlier->allocated();
-  };
-  const bool fresh = !there("liquid velocity");
-  carried_before_ = there("water");
+  const ColumnSet& earlier = plan.fields.points.columns;
+  const bool fresh = earlier.find_allocated("liquid velocity") == nullptr;
+  carried_before_ = earlier.find_allocated("water") != nullptr;
   provide_columns(plan);
   if (fresh) plan.at_entry([this, &plan] { take_over(plan); });
   if (cycle_ != nullptr)

@@ -8,6 +8,13 @@
 /// motion, and what is kept of the body.
 namespace wetfront::mpm::test {
 
+/// same(one, other) for what stands at the same place in both.
+template <class Items, class Same>
+void expect_same_each(const Items& one, const Items& other, const Same& same) {
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t k = 0; k < one.size(); ++k) same(one[k], other[k]);
+}
+
 inline void expect_same_motion(const meshes::MotionRow& one, const meshes::MotionRow& other) {
   EXPECT_EQ(one.time, other.time);
   EXPECT_EQ(one.kinetic, other.kinetic);
@@ -24,29 +31,47 @@ inline void expect_same_motion(const meshes::MotionRow& one, const meshes::Motio
 }
 
 inline void expect_same_body(const BodyRecord& a, const BodyRecord& b) {
-  ASSERT_EQ(a.riders.size(), b.riders.size());
-  for (std::size_t k = 0; k < a.riders.size(); ++k) {
-    EXPECT_EQ(a.riders[k].name, b.riders[k].name);
-    EXPECT_EQ(a.riders[k].start, b.riders[k].start);
-    EXPECT_EQ(a.riders[k].time, b.riders[k].time);
-    EXPECT_EQ(a.riders[k].place, b.riders[k].place);
-    EXPECT_EQ(a.riders[k].velocity, b.riders[k].velocity);
-  }
-  ASSERT_EQ(a.stages.size(), b.stages.size());
-  for (std::size_t k = 0; k < a.stages.size(); ++k) {
-    EXPECT_EQ(a.stages[k].name, b.stages[k].name);
-    EXPECT_EQ(a.stages[k].scheme, b.stages[k].scheme);
-    EXPECT_EQ(a.stages[k].begin, b.stages[k].begin);
-    EXPECT_EQ(a.stages[k].end, b.stages[k].end);
-    EXPECT_EQ(a.stages[k].ended_by, b.stages[k].ended_by);
-    EXPECT_EQ(a.stages[k].reason, b.stages[k].reason);
-  }
-  ASSERT_EQ(a.pictures.size(), b.pictures.size());
-  for (std::size_t k = 0; k < a.pictures.size(); ++k) {
-    EXPECT_EQ(a.pictures[k].of, b.pictures[k].of);
-    EXPECT_EQ(a.pictures[k].displacement, b.pictures[k].displacement);
-    EXPECT_EQ(a.pictures[k].snapshot.time, b.pictures[k].snapshot.time);
-  }
+  expect_same_each(a.riders, b.riders, [](const Rider& one, const Rider& other) {
+    EXPECT_EQ(one.name, other.name);
+    EXPECT_EQ(one.start, other.start);
+    EXPECT_EQ(one.time, other.time);
+    EXPECT_EQ(one.place, other.place);
+    EXPECT_EQ(one.velocity, other.velocity);
+  });
+  expect_same_each(a.stages, b.stages, [](const StageSpan& one, const StageSpan& other) {
+    EXPECT_EQ(one.name, other.name);
+    EXPECT_EQ(one.scheme, other.scheme);
+    EXPECT_EQ(one.begin, other.begin);
+    EXPECT_EQ(one.end, other.end);
+    EXPECT_EQ(one.ended_by, other.ended_by);
+    EXPECT_EQ(one.reason, other.reason);
+  });
+  expect_same_each(a.pictures, b.pictures, [](const Picture& one, const Picture& other) {
+    EXPECT_EQ(one.of, other.of);
+    EXPECT_EQ(one.displacement, other.displacement);
+    EXPECT_EQ(one.snapshot.time, other.snapshot.time);
+  });
+}
+
+inline void expect_same_history(const meshes::FieldHistory& a, const meshes::FieldHistory& b) {
+  expect_same_each(a.ledger, b.ledger, [](const meshes::LedgerRow& one, const meshes::LedgerRow& other) {
+    EXPECT_EQ(one.stored, other.stored);
+    EXPECT_EQ(one.run_off, other.run_off);
+  });
+  expect_same_each(a.snapshots, b.snapshots, [](const meshes::Snapshot& one, const meshes::Snapshot& other) {
+    EXPECT_EQ(one.node_pressure, other.node_pressure);
+    EXPECT_EQ(one.points.position, other.points.position);
+  });
+  expect_same_each(a.gauges, b.gauges, [](const meshes::Gauge& one, const meshes::Gauge& other) {
+    EXPECT_EQ(one.pressure, other.pressure);
+  });
+  expect_same_each(a.sides, b.sides, [](const meshes::SideLedger& one, const meshes::SideLedger& other) {
+    EXPECT_EQ(one.outflow, other.outflow);
+    EXPECT_EQ(one.run_off, other.run_off);
+    EXPECT_EQ(one.evaporated, other.evaporated);
+  });
+  expect_same_each(a.motion, b.motion, expect_same_motion);
+  EXPECT_EQ(a.counters, b.counters);
 }
 
 inline void expect_same_bits(const State& a, const State& b) {
@@ -54,30 +79,8 @@ inline void expect_same_bits(const State& a, const State& b) {
   EXPECT_EQ(a.stage, b.stage);
   ASSERT_EQ(a.fields.size(), b.fields.size());
   for (const auto& [name, values] : a.fields) EXPECT_EQ(values, b.fields.at(name)) << name;
-  ASSERT_EQ(a.history.ledger.size(), b.history.ledger.size());
-  for (std::size_t k = 0; k < a.history.ledger.size(); ++k) {
-    EXPECT_EQ(a.history.ledger[k].stored, b.history.ledger[k].stored);
-    EXPECT_EQ(a.history.ledger[k].run_off, b.history.ledger[k].run_off);
-  }
-  ASSERT_EQ(a.history.snapshots.size(), b.history.snapshots.size());
-  for (std::size_t k = 0; k < a.history.snapshots.size(); ++k) {
-    EXPECT_EQ(a.history.snapshots[k].node_pressure, b.history.snapshots[k].node_pressure);
-    EXPECT_EQ(a.history.snapshots[k].points.position, b.history.snapshots[k].points.position);
-  }
-  ASSERT_EQ(a.history.gauges.size(), b.history.gauges.size());
-  for (std::size_t k = 0; k < a.history.gauges.size(); ++k)
-    EXPECT_EQ(a.history.gauges[k].pressure, b.history.gauges[k].pressure);
-  ASSERT_EQ(a.history.sides.size(), b.history.sides.size());
-  for (std::size_t s = 0; s < b.history.sides.size(); ++s) {
-    EXPECT_EQ(a.history.sides[s].outflow, b.history.sides[s].outflow);
-    EXPECT_EQ(a.history.sides[s].run_off, b.history.sides[s].run_off);
-    EXPECT_EQ(a.history.sides[s].evaporated, b.history.sides[s].evaporated);
-  }
-  ASSERT_EQ(a.history.motion.size(), b.history.motion.size());
-  for (std::size_t k = 0; k < a.history.motion.size(); ++k)
-    expect_same_motion(a.history.motion[k], b.history.motion[k]);
+  expect_same_history(a.history, b.history);
   expect_same_body(a.body, b.body);
-  EXPECT_EQ(a.history.counters, b.history.counters);
 }
 
 /// Cuts at every step whose number is `first` modulo `stride`, at four places or more.

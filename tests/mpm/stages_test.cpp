@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace wetfront::mpm {
 namespace {
@@ -96,6 +97,27 @@ TEST(Stages, TwoVelocitiesTakeASlopeOverAtRest) {
   }
   const auto& last = history.ledger.back();
   EXPECT_NEAR(last.rain_asked / (2e-4 * 6 * last.time), 1, 1e-3);
+}
+
+/// Points that a stage in true time has weighed with their water are grains again for the scheme after it.
+TEST(Stages, TwoVelocitiesGoOnWithASlideInTrueTime) {
+  Problem<2> problem = slope(24, 4);
+  problem.stages[1].ends_with = StageEnd::time;
+  problem.stages[1].longest = 0.02;
+  Stage split = problem.stages[1];
+  split.name = "two velocities";
+  split.liquid = LiquidScheme::implicit_drag;
+  split.end_time = problem.stages[1].end_time + 1;
+  problem.stages.push_back(split);
+  Simulation<2> simulation(problem);
+  const auto weight = [&simulation] {
+    const std::vector<double> mass = simulation.state().fields.at("point.mass");
+    return std::accumulate(mass.begin(), mass.end(), 0.0);
+  };
+  const double grains = weight();
+  while (!simulation.finished()) simulation.step();
+  ASSERT_EQ(simulation.body().stages.size(), 3u);
+  EXPECT_NEAR(weight() / grains, 1, 1e-12);
 }
 
 TEST(Stages, ASlopeThatStandsEndsTheRun) {
