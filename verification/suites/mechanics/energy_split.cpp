@@ -1,7 +1,5 @@
 #include "verification/suites/mechanics/energy_split.h"
 
-#include "mpm/simulation.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,43 +13,29 @@ bool linear_in_strain(const mpm::Soil& soil) {
          std::holds_alternative<mpm::SuctionMohrCoulomb>(*soil.law);
 }
 
-/// Stress (component after component) and volume of the points.
-struct Strained {
-  std::vector<double> stress, volume;
-};
-template <int dim>
-Strained strained(const Cloud<dim>& cloud) {
-  Strained out;
-  out.volume = cloud.volume;
-  for (std::size_t q = 0; q < 2 * dim; ++q)
-    for (const auto& s : cloud.stress) out.stress.push_back(s[q]);
-  return out;
-}
-
 /// sum V ((1 + nu) s:s - nu tr(s)^2)/(2 E).
-double stored_in(const Strained& points, const mpm::Elastic& elastic) {
-  const std::size_t n = points.volume.size(), components = points.stress.size() / n;
+template <int dim>
+double stored_in(const Cloud<dim>& cloud, const mpm::Elastic& elastic) {
   double sum = 0;
-  for (std::size_t p = 0; p < n; ++p) {
+  for (std::size_t p = 0; p < cloud.size(); ++p) {
     double trace = 0, square = 0;
-    for (std::size_t q = 0; q < components; ++q) {
-      const double s = points.stress[q * n + p];
+    for (std::size_t q = 0; q < cloud.stress[p].size(); ++q) {
+      const double s = cloud.stress[p][q];
       square += (q < 3 ? 1 : 2) * s * s;
       if (q < 3) trace += s;
     }
-    sum += points.volume[p] * ((1 + elastic.poisson) * square - elastic.poisson * trace * trace);
+    sum += cloud.volume[p] * ((1 + elastic.poisson) * square - elastic.poisson * trace * trace);
   }
   return sum / (2 * elastic.young);
 }
 
-/// When the ledger begins: at the first output of a later stage, else before the first step (a second set-up).
+/// When the ledger begins: at the first output of a later stage, else before the first step.
 template <int dim>
-Strained at_beginning(const mpm::Problem<dim>& problem, const Motion<dim>& motion, double time) {
+const Cloud<dim>& at_beginning(const Motion<dim>& motion, double time) {
   if (time > 0)
     for (const Cloud<dim>& cloud : motion.clouds)
-      if (cloud.time >= time) return strained<dim>(cloud);
-  const mpm::State state = mpm::Simulation<dim>(problem).state();
-  return {state.fields.at("point.stress"), state.fields.at("point.volume")};
+      if (cloud.time >= time) return cloud;
+  return motion.start;
 }
 
 }  // namespace
@@ -75,8 +59,7 @@ EnergySplit energy_split(const mpm::Problem<dim>& problem, const Motion<dim>& mo
   out.mapping = -last.drift;
   if (problem.soils.size() == 1 && linear_in_strain(problem.soils[0]) && !motion.clouds.empty()) {
     const mpm::Elastic& elastic = *problem.soils[0].elastic;
-    out.stored = stored_in(strained<dim>(motion.clouds.back()), elastic) -
-                 stored_in(at_beginning<dim>(problem, motion, first.time), elastic);
+    out.stored = stored_in(motion.clouds.back(), elastic) - stored_in(at_beginning(motion, first.time), elastic);
   }
   return out;
 }

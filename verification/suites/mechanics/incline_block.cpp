@@ -22,20 +22,17 @@ template <int dim>
 mpm::Problem<dim> block_problem(const InclineBlock& block) {
   constexpr std::size_t up = dim - 1;
   using B = InclineBlock;
-  auto mesh = mesh_of<dim>(block);
-  std::vector<char> empty(mesh.cell_count());
-  for (std::size_t c = 0; c < mesh.cell_count(); ++c) {
-    const auto at = mesh.cell_centre(c);
-    empty[c] = at[0] > 0.5 && at[0] < 0.5 + block.length && at[up] < B::height ? 0 : 1;
-  }
+  auto problem =
+      dry_problem<dim>(mesh_of<dim>(block), dry_soil(B::density, B::young, B::poisson), evenly(block.end, 200));
+  fill_only<dim>(problem, [&](const meshes::Point& at) {
+    return at[0] > 0.5 && at[0] < 0.5 + block.length && at[up] < B::height;
+  });
   if (block.turned_mesh)  // downhill is to the right
-    for (auto& node : mesh.nodes) {
+    for (auto& node : problem.mesh.nodes) {
       const double s = node[0], n = node[up];
       node[0] = s * std::cos(B::slope) + n * std::sin(B::slope);
       node[up] = -s * std::sin(B::slope) + n * std::cos(B::slope);
     }
-  auto problem = dry_problem<dim>(std::move(mesh), dry_soil(B::density, B::young, B::poisson), evenly(block.end, 200));
-  problem.empty_cells = std::move(empty);
   problem.gravity[0] = block.turned_mesh ? 0 : B::gravity * std::sin(B::slope);
   problem.gravity[up] = block.turned_mesh ? -B::gravity : -B::gravity * std::cos(B::slope);
   problem.initial_stress = mpm::InitialStress::k0;

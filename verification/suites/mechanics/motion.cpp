@@ -81,13 +81,13 @@ Motion<dim> move(const mpm::Problem<dim>& problem, const std::function<bool(cons
   mpm::Simulation<dim> simulation(problem);
   Motion<dim> motion;
   const auto& times = problem.output_times;
-  const auto record = [&] { motion.clouds.push_back(cloud_of<dim>(simulation.state())); };
-  if (!times.empty() && times.front() == 0) record();
+  motion.start = cloud_of<dim>(simulation.state());
+  if (!times.empty() && times.front() == 0) motion.clouds.push_back(motion.start);
   while (!simulation.finished()) {
     simulation.step();
     const std::size_t next = motion.clouds.size();
     if (next >= times.size() || simulation.time() < times[next] * (1 - 1e-12)) continue;
-    record();
+    motion.clouds.push_back(cloud_of<dim>(simulation.state()));
     if (enough && enough(motion.clouds.back())) break;
   }
   motion.history = simulation.take_history();

@@ -33,6 +33,7 @@ struct Cloud {
 template <int dim>
 struct Motion {
   meshes::FieldHistory history;
+  Cloud<dim> start;  ///< before the first step
   std::vector<Cloud<dim>> clouds;
   double steps = 0;
   std::size_t points = 0;
