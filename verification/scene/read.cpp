@@ -17,7 +17,7 @@ namespace {
 
 }  // namespace
 
-std::string scene_file_text(const std::filesystem::path& path) {
+std::string scene_file_text(const std::filesystem::path& path, const std::vector<Setting>& settings) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
     refuse(path, {"this is a folder", "a scene is a file", "Name the .toml file in it."});
@@ -26,9 +26,11 @@ std::string scene_file_text(const std::filesystem::path& path) {
     refuse(path, {"the scene cannot be read",
                   std::filesystem::exists(path, error) ? "permission denied" : "there is no such file",
                   "Check the path, or start one with `wetfront new NAME`."});
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  std::ostringstream content;
+  content << file.rdbuf();
+  std::string text = content.str();
+  for (const Setting& setting : settings) text = with_value(text, path.string(), setting);
+  return text;
 }
 
 bool Reading::elastic() const {
@@ -94,8 +96,7 @@ void read_top(Reading& reading) {
 Scene read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings) {
   Scene scene;
   scene.path = path;
-  scene.text = scene_file_text(path);
-  for (const Setting& setting : settings) scene.text = with_value(scene.text, path.string(), setting);
+  scene.text = scene_file_text(path, settings);
   const Value root = parse_document(scene.text, path.string());
   if (root.entries.empty())
     refuse(path,

@@ -19,8 +19,8 @@ struct SceneError : std::runtime_error {
 /// file with those values in it. Throws SceneError with every complaint found, in file order.
 Scene read_scene(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 
-/// The text of a scene file. Throws SceneError where there is none.
-std::string scene_file_text(const std::filesystem::path& path);
+/// The text of a scene file with values set anew. Throws SceneError where there is none, or a path leads nowhere.
+std::string scene_file_text(const std::filesystem::path& path, const std::vector<Setting>& settings = {});
 
 /// The JSON Schema (draft 2020-12) of a scene, generated from the table of keys that the reader itself uses.
 std::string scene_schema();

@@ -64,8 +64,7 @@ std::vector<StudyPoint> product(const std::vector<Variation>& variations) {
 }
 
 std::string point_hash(const std::filesystem::path& scene, const StudyPoint& point) {
-  std::string text = scene_file_text(scene);
-  for (const Setting& setting : point.settings) text = with_value(text, scene.string(), setting);
+  const std::string text = scene_file_text(scene, point.settings);
   ContentHash hash;
   hash.add(std::string_view(text));
   add_files(parse_document(text, scene.string()), scene.parent_path(), hash);
