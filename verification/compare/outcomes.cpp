@@ -2,6 +2,7 @@
 
 #include "meshes/evaluate.h"
 #include "verification/compare/events.h"
+#include "verification/compare/magnitude.h"
 #include "verification/compare/profile.h"
 #include "verification/translate/initial_pressure.h"
 
@@ -78,7 +79,7 @@ class Outcomes {
     double largest = history_.snapshots.empty() ? never : 0;
     if (!history_.snapshots.empty())
       for (const meshes::Point& u : history_.snapshots.back().node_displacement)
-        largest = std::max(largest, std::hypot(u[0], u[1], u[2]));
+        largest = std::max(largest, magnitude(u));
     found_.push_back({"displacement", "largest displacement at the end", "m", largest});
   }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace wetfront::verification {
 namespace {
@@ -36,6 +37,11 @@ std::vector<meshes::Point> centres(const meshes::Mesh& mesh) {
   return places;
 }
 
+/// Times up to this one count as until `time`.
+double last_of(double time) {
+  return time * (1 + 1e-12);
+}
+
 template <class Value>
 void pick(std::vector<Value>& values, const std::vector<std::size_t>& index) {
   if (values.empty()) return;
@@ -52,12 +58,16 @@ double failure_time(const mpm::BodyRecord& body) {
   return std::numeric_limits<double>::infinity();
 }
 
+std::vector<meshes::LedgerRow> cut_at(std::vector<meshes::LedgerRow> ledger, double time) {
+  ledger.erase(std::ranges::upper_bound(ledger, last_of(time), {}, &meshes::LedgerRow::time), ledger.end());
+  return ledger;
+}
+
 void cut_at(meshes::FieldHistory& history, double time) {
   if (std::isinf(time)) return;
-  const double last = time * (1 + 1e-12);
-  const auto rows = static_cast<std::size_t>(
-      std::ranges::upper_bound(history.ledger, last, {}, &meshes::LedgerRow::time) - history.ledger.begin());
-  history.ledger.resize(rows);
+  const double last = last_of(time);
+  history.ledger = cut_at(std::move(history.ledger), time);
+  const std::size_t rows = history.ledger.size();
   for (meshes::SideLedger& side : history.sides)
     for (auto* column : {&side.asked, &side.run_off, &side.outflow, &side.evaporated, &side.demanded})
       column->resize(std::min(column->size(), rows));

@@ -6,6 +6,8 @@
 #include "verification/scene/scene.h"
 #include "verification/translate/timeline.h"
 
+#include <vector>
+
 /// Where and until when a body that moves can be compared with Richards' equation, which knows neither motion nor room
 /// above the ground.
 namespace wetfront::verification {
@@ -14,6 +16,7 @@ namespace wetfront::verification {
 double failure_time(const mpm::BodyRecord& body);
 
 /// What was recorded until a time.
+std::vector<meshes::LedgerRow> cut_at(std::vector<meshes::LedgerRow> ledger, double time);
 void cut_at(meshes::FieldHistory& history, double time);
 Histories cut_at(const Histories& histories, double time);
 /// Stages and comparisons until a time.

@@ -130,19 +130,17 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
 void judge_alone(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
   const meshes::FieldHistory& history = candidate.history;
   const double failure = failure_time(candidate.body);
+  const Timeline window = cut_at(prepared.timeline, failure);
   auto measurements = measure_motion(history, failure);
-  if (history.ledger.size() > 1) {
-    meshes::FieldHistory before = history;
-    cut_at(before, failure);
+  if (history.ledger.size() > 1)
     measurements.push_back({"water_balance",
                             "water balance",
                             -1,
                             "",
-                            imbalance(before.ledger, cut_at(prepared.timeline, failure).stage_end),
+                            imbalance(cut_at(history.ledger, failure), window.stage_end),
                             {},
                             ""});
-  }
-  record.findings = judge(prepared.scene, prepared.timeline, measurements, history.cpu_seconds);
+  record.findings = judge(prepared.scene, window, measurements, history.cpu_seconds);
   record.verdict = overall(record.findings);
   record.figures = figures_of_one(prepared.scene, history, "MPM");
   if (prepared.scene.water) record.pictures = field_pictures(history, "MPM");
