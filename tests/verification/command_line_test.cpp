@@ -58,6 +58,42 @@ TEST_F(CommandLine, AMissedToleranceExitsWith1) {
   EXPECT_THAT(output.text, HasSubstr("FAIL"));
 }
 
+/// What the run has left holds its gates, but it is no run.
+TEST_F(CommandLine, ARunThatGaveUpIsNoPass) {
+  write("stopped.toml", R"(title = "stops when it has used up its time"
+[geometry]
+column = { height = "1 m", cells = 4000 }
+[water]
+[[soil]]
+name = "sand"
+porosity = 0.4
+saturated_conductivity = "1 cm/h"
+retention = { law = "van-genuchten", alpha = "2 1/m", n = 2, theta_r = 0.05, theta_s = 0.4 }
+[initial]
+hydrostatic = { water_table = "0 m" }
+[[rain]]
+side = "top"
+intensity = "1 mm/h"
+[[stage]]
+name = "all"
+scheme = "seepage"
+until = "10 h"
+[mpm]
+cpu_budget = "100 ms"
+[comparison]
+times = ["10 h"]
+[[tolerance]]
+quantity = "water_balance"
+value = "1e-6"
+reason = "held as far as it came"
+)");
+  const Output output = wetfront("run stopped.toml");
+  EXPECT_EQ(output.code, 3) << output.text;
+  EXPECT_THAT(output.text, HasSubstr("gave up: "));
+  EXPECT_THAT(output.text, HasSubstr("stopped: INCONCLUSIVE"));
+  EXPECT_THAT(read(folder / "out/stopped/result.json"), HasSubstr("\"verdict\": \"inconclusive\""));
+}
+
 TEST_F(CommandLine, RainThatAllRunsOffIsNotComparedByItsRoundOff) {
   ASSERT_EQ(wetfront("new full").code, 0);
   std::string scene = read(folder / "full.toml");

@@ -196,7 +196,11 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
   add_body(record, prepared, result.candidate);
   add_candidate_tables(record, prepared, result.candidate.history);
   result.exit = exit_for(record.verdict);
-  if (!why_given_up(result).empty()) result.exit = Exit::gave_up;
+  if (!why_given_up(result).empty()) {
+    result.exit = Exit::gave_up;
+    // As a study says of such a point: gates held as far as it came prove nothing of the rest.
+    if (record.verdict != reports::Verdict::fail) record.verdict = reports::Verdict::inconclusive;
+  }
   return result;
 }
 
