@@ -113,16 +113,19 @@ std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, cons
   return profiles;
 }
 
-std::vector<std::vector<double>> values_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of,
-                                                 std::vector<double> meshes::Snapshot::*nodal) {
-  const Sampler sample(meshes::Evaluator(history.mesh), nodes_of.nodes, nodes_of.dim);
+std::vector<std::vector<double>> values_at_nodes(const meshes::Mesh& mesh,
+                                                 const std::vector<const std::vector<double>*>& nodal,
+                                                 const meshes::Mesh& nodes_of) {
+  const Sampler sample(meshes::Evaluator(mesh), nodes_of.nodes, nodes_of.dim);
   std::vector<std::vector<double>> values;
-  for (const meshes::Snapshot& snapshot : history.snapshots) values.push_back(sample(snapshot.*nodal));
+  for (const std::vector<double>* field : nodal) values.push_back(sample(*field));
   return values;
 }
 
 std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of) {
-  return values_at_nodes(history, nodes_of, &meshes::Snapshot::node_pressure);
+  std::vector<const std::vector<double>*> pressures;
+  for (const meshes::Snapshot& snapshot : history.snapshots) pressures.push_back(&snapshot.node_pressure);
+  return values_at_nodes(history.mesh, pressures, nodes_of);
 }
 
 std::vector<double> cell_weights(const meshes::Mesh& mesh, const meshes::Mesh& reference) {

@@ -21,9 +21,11 @@ std::vector<Profile> cell_profiles(const meshes::FieldHistory& candidate);
 /// cell values are averages. A one-dimensional solution is read at the places' elevations.
 std::vector<Profile> profiles_at_cells(const meshes::FieldHistory& history, const meshes::FieldHistory& candidate);
 
-/// A nodal field of another solution at the nodes of `nodes_of`, one per snapshot; pressure is such a field.
-std::vector<std::vector<double>> values_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of,
-                                                 std::vector<double> meshes::Snapshot::*nodal);
+/// Nodal fields of a mesh at the nodes of `nodes_of`, one for one, 0 outside; the places are found once for all.
+std::vector<std::vector<double>> values_at_nodes(const meshes::Mesh& mesh,
+                                                 const std::vector<const std::vector<double>*>& nodal,
+                                                 const meshes::Mesh& nodes_of);
+/// Pressure of another solution at the nodes of `nodes_of`, one field per snapshot.
 std::vector<std::vector<double>> pressure_at_nodes(const meshes::FieldHistory& history, const meshes::Mesh& nodes_of);
 
 /// The weights of the norms: cell volumes; 0 for a cell whose centre lies outside the reference's mesh (the background

@@ -1,5 +1,6 @@
 #include "verification/present/field_pictures.h"
 
+#include "verification/compare/magnitude.h"
 #include "verification/compare/profile.h"
 
 #include <fmt/format.h>
@@ -59,13 +60,16 @@ std::vector<FieldPicture> field_pictures(const Histories& histories) {
   const std::size_t times = std::min(candidate.snapshots.size(), reference.snapshots.size());
   if (times == 0 || !paintable(candidate) || reference.mesh.dim != 2) return {};
   const std::vector<double> compared = node_weights(candidate.mesh, reference.mesh);
+  const meshes::Snapshot &last = candidate.snapshots[times - 1], &expected = reference.snapshots[times - 1];
+  std::vector<const std::vector<double>*> fields;
+  for (const Painted& field : painted) fields.push_back(&(expected.*field.nodal));
+  auto expected_here = values_at_nodes(reference.mesh, fields, candidate.mesh);
   std::vector<FieldPicture> pictures;
   for (const Painted& field : painted) {
-    FieldPicture picture = on_mesh(candidate.mesh, field, reference.snapshots[times - 1].time);
-    picture.panels = {
-        panel("MPM", candidate.snapshots[times - 1].*field.nodal, field.unit),
-        panel("reference", values_at_nodes(reference, candidate.mesh, field.nodal)[times - 1], field.unit),
-        {"MPM minus reference", {}, true}};
+    FieldPicture picture = on_mesh(candidate.mesh, field, expected.time);
+    picture.panels = {panel("MPM", last.*field.nodal, field.unit),
+                      panel("reference", std::move(expected_here[pictures.size()]), field.unit),
+                      {"MPM minus reference", {}, true}};
     std::vector<double>&mpm = picture.panels[0].nodal, &other = picture.panels[1].nodal;
     for (std::size_t i = 0; i < compared.size(); ++i) {
       if (compared[i] == 0) mpm[i] = other[i] = nothing;
@@ -103,8 +107,7 @@ std::vector<FieldPicture> displacement_picture(const meshes::FieldHistory& histo
 }
 
 double pressure_per_head(const Scene& scene) {
-  const auto& g = scene.gravity;
-  return scene.water ? scene.water->density * std::hypot(g[0], g[1], g[2]) / kPa : 0;
+  return scene.water ? scene.water->density * magnitude(scene.gravity) / kPa : 0;
 }
 
 }  // namespace wetfront::verification

@@ -124,7 +124,8 @@ Figure both(const FigureHeading& heading, const Histories& histories, const Cont
 /// MPM minus reference, on the MPM's mesh.
 Figure difference(const meshes::FieldHistory& candidate, const meshes::FieldHistory& reference, std::size_t time,
                   const std::string& when) {
-  std::vector<double> nodal = pressure_at_nodes(reference, candidate.mesh)[time];
+  std::vector<double> nodal =
+      values_at_nodes(reference.mesh, {&reference.snapshots[time].node_pressure}, candidate.mesh).front();
   const std::vector<double> compared = node_weights(candidate.mesh, reference.mesh);
   for (std::size_t i = 0; i < nodal.size(); ++i)
     nodal[i] = compared[i] == 0 ? 0 : candidate.snapshots[time].node_pressure[i] - nodal[i];
