@@ -32,10 +32,13 @@ SHOWN = [
 ]
 
 
+def command_of(scene):
+    return "reference" if scene.parent.name.startswith("reference_") else "run"
+
+
 def record_of(program, scene, folder):
     if not (folder / "result.json").exists():
-        command = "reference" if scene.parent.name.startswith("reference_") else "run"
-        subprocess.run([program, command, str(scene), "--out", str(folder)], check=False)
+        subprocess.run([program, command_of(scene), str(scene), "--out", str(folder)], check=False)
     return json.loads((folder / "result.json").read_text(encoding="utf-8"))
 
 
@@ -58,9 +61,8 @@ def main(program, out):
         if "--stored" in sys.argv and not (out / run / "result.json").exists():
             continue
         record = record_of(program, scene, out / run)
-        command = "reference" if scene.parent.name.startswith("reference_") else "run"
         text += ["", f"## {record['title']}", "", sentence, "",
-                 f"`wetfront {command} {scene}`: {verdicts(record)}; {record['cpu_s']:.3g} s of CPU time.", ""]
+                 f"`wetfront {command_of(scene)} {scene}`: {verdicts(record)}; {record['cpu_s']:.3g} s of CPU time.", ""]
         there = [drawing for drawing in drawings if (out / run / "figures" / f"{drawing}.svg").exists()]
         if not there:
             sys.exit(f"{out / run}/figures: none of {', '.join(drawings)} (the report no longer draws them)")

@@ -1,27 +1,22 @@
 #include "verification/present/body_film.h"
 
 #include "reports/film.h"
+#include "verification/compare/magnitude.h"
 #include "verification/present/contours.h"
-
-#include <cmath>
 
 namespace wetfront::verification {
 namespace {
 
 constexpr double kPa = 1000;
 
-double length(const meshes::Point& a, const meshes::Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 /// Since the run began; where that was not kept, since the first picture.
 std::vector<double> displacements(const mpm::Picture& picture, const mpm::Picture& first) {
-  const auto& places = picture.snapshot.points.position;
+  const auto &places = picture.snapshot.points.position, &from = first.snapshot.points.position;
   std::vector<double> moved;
   for (std::size_t p = 0; p < places.size(); ++p)
-    moved.push_back(picture.displacement.size() == places.size()
-                        ? length(picture.displacement[p], {})
-                        : length(places[p], first.snapshot.points.position.at(p)));
+    moved.push_back(magnitude(picture.displacement.size() == places.size()
+                                  ? picture.displacement[p]
+                                  : meshes::Point{places[p][0] - from.at(p)[0], places[p][1] - from[p][1]}));
   return moved;
 }
 

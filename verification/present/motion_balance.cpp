@@ -55,7 +55,8 @@ Table motion_table(const meshes::FieldHistory& history, const Timeline& timeline
 
 std::vector<Figure> motion_figures(const meshes::FieldHistory& history) {
   if (history.motion.size() < 2) return {};
-  Figure figure = figure_frame({"energy", "Energy of the skeleton", "Energy and momentum"}, {"time", "s"}, {"energy", "J"});
+  Figure figure =
+      figure_frame({"energy", "Energy of the skeleton", "Energy and momentum"}, {"time", "s"}, {"energy", "J"});
   const double first = history.motion.front().potential;
   const auto add = [&](const char* label, const auto& value) {
     reports::Series series;
