@@ -1,5 +1,7 @@
 #include "reports/base64.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 
@@ -9,11 +11,12 @@ namespace {
 
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-std::uint32_t digit(char c) {
-  const std::size_t at = digits.find(c);
-  if (at == std::string_view::npos) throw std::runtime_error("not base64: a character stands there that it lacks");
-  return static_cast<std::uint32_t>(at);
-}
+constexpr std::array<int, 256> values = [] {
+  std::array<int, 256> table{};
+  table.fill(-1);
+  for (std::size_t i = 0; i < digits.size(); ++i) table[static_cast<unsigned char>(digits[i])] = static_cast<int>(i);
+  return table;
+}();
 
 }  // namespace
 
@@ -33,13 +36,25 @@ std::string base64(std::span<const unsigned char> bytes) {
 
 std::vector<unsigned char> from_base64(std::string_view text) {
   if (text.size() % 4 != 0) throw std::runtime_error("not base64: its length is no multiple of four");
+  const std::size_t end = std::min(text.size(), text.find_first_not_of(digits));
+  if (text.size() - end > 2 || text.find_first_not_of('=', end) != std::string_view::npos)
+    throw std::runtime_error("not base64: a character stands there that it lacks");
+  return from_base64_parts(text);
+}
+
+std::vector<unsigned char> from_base64_parts(std::string_view text) {
   std::vector<unsigned char> bytes;
   bytes.reserve(text.size() / 4 * 3);
-  for (std::size_t i = 0; i < text.size(); i += 4) {
-    const std::size_t padding = i + 4 < text.size() ? 0 : (text[i + 3] == '=') + (text[i + 2] == '=');
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 4; ++k) group = group << 6 | (k < 4 - padding ? digit(text[i + k]) : 0);
-    for (std::size_t k = 0; k < 3 - padding; ++k) bytes.push_back(static_cast<unsigned char>(group >> (16 - 8 * k)));
+  std::uint32_t group = 0;
+  int held = 0;  // bits of the group that are not yet in a byte
+  for (const char c : text) {
+    if (c == '=') held = 0;
+    const int value = values[static_cast<unsigned char>(c)];
+    if (value < 0) continue;
+    group = group << 6 | static_cast<std::uint32_t>(value);
+    if ((held += 6) < 8) continue;
+    held -= 8;
+    bytes.push_back(static_cast<unsigned char>(group >> held & 0xFF));
   }
   return bytes;
 }

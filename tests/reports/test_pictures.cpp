@@ -31,6 +31,12 @@ TEST(Base64, ComesBack) {
   EXPECT_EQ(base64(std::vector<unsigned char>{'M', 'a'}), "TWE=");  // RFC 4648's kind of example
   EXPECT_THROW(from_base64("TWE"), std::runtime_error);
   EXPECT_THROW(from_base64("TW\"="), std::runtime_error);
+  EXPECT_THROW(from_base64("T==="), std::runtime_error);
+  EXPECT_THROW(from_base64("TQ==TQ=="), std::runtime_error);
+}
+
+TEST(Base64, PartsFollowEachOther) {
+  EXPECT_EQ(from_base64_parts("TQ==\n TWE="), (std::vector<unsigned char>{'M', 'M', 'a'}));
 }
 
 TEST(ColourBands, LieBetweenRoundLimitsAndHoldTheRange) {

@@ -1,5 +1,5 @@
+#include "reports/base64.h"
 #include "verification/foreign/point_data.h"
-#include "verification/translate/base64.h"
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ std::vector<Element> elements(const std::string& text, const std::string& tag, c
 }
 
 template <class Number>
-std::vector<double> numbers_of(const std::string& bytes, std::size_t from) {
+std::vector<double> numbers_of(const std::vector<unsigned char>& bytes, std::size_t from) {
   std::vector<double> values;
   for (std::size_t at = from; at + sizeof(Number) <= bytes.size(); at += sizeof(Number)) {
     Number value;
@@ -76,7 +76,7 @@ std::vector<double> values_of(const Element& array, const Element& whole, const 
     cannot_read(file, "the array " + array.attribute("Name") + " is written in a way that is not read",
                 "ASCII and inline base64, little-endian and not compressed, are",
                 "Write it so, e.g. by ParaView's \"ascii\".");
-  const std::string bytes = from_base64(array.text);
+  const auto bytes = reports::from_base64_parts(array.text);
   const std::size_t head = whole.attribute("header_type") == "UInt64" ? 8 : 4;
   if (type == "Float64") return numbers_of<double>(bytes, head);
   if (type == "Float32") return numbers_of<float>(bytes, head);

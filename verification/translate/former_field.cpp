@@ -1,7 +1,7 @@
 #include "verification/translate/former_field.h"
 
 #include "meshes/evaluate.h"
-#include "verification/translate/base64.h"
+#include "reports/base64.h"
 
 #include <cstdint>
 #include <cstring>
@@ -36,7 +36,7 @@ class VtuFile {
     if (named == std::string::npos) fail("it has no '" + name + "'");
     const auto from = text_.find('>', named), to = text_.find("</DataArray>", named);
     if (from == std::string::npos || to == std::string::npos) fail("'" + name + "' does not end");
-    const std::string bytes = from_base64(text_.substr(from + 1, to - from - 1));
+    const auto bytes = reports::from_base64_parts(text_.substr(from + 1, to - from - 1));
     std::uint64_t length = 0;
     if (bytes.size() >= sizeof length) std::memcpy(&length, bytes.data(), sizeof length);
     if (bytes.size() != sizeof length + length || length % sizeof(T) != 0) fail("'" + name + "' is cut off");
