@@ -75,7 +75,9 @@ void MotionLedger<dim>::join(StagePlan<dim>& plan) {
   inner_ = &plan.provide_on_nodes({"force of stress", "f_int", force, dim, Lifetime::step});
   loaded_ = &plan.provide_on_nodes({"force with loads", "f", force, dim, Lifetime::step});
   sums_ = &plan.provide_on_run({"motion ledger", "W, I", "J, N s", count});
-  brought_ = plan.fields.run.find(brought_by_water(dim).name);
+  // What a stage before has left goes when this one begins.
+  if (Column* brought = plan.fields.run.find(brought_by_water(dim).name); brought && !brought->provided_by().empty())
+    brought_ = brought;
   cycle_->conditions.insert(cycle_->conditions.begin(), std::make_unique<First>(*this));
   cycle_->conditions.push_back(std::make_unique<Last>(*this));
   // Each dynamic stage has a ledger of its own: a relaxation before it has no time and no momentum.
