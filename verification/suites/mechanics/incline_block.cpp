@@ -16,6 +16,14 @@ meshes::Mesh mesh_of(const InclineBlock& block) {
                   : box_mesh(3, {length, 4 * h, height}, {along, 4, over});
 }
 
+/// Along the slope and out of the base.
+template <int dim>
+std::array<double, 2> on_slope(const InclineBlock& block, const std::array<double, dim>& x) {
+  if (!block.turned_mesh) return {x[0], x[dim - 1]};
+  const double c = std::cos(InclineBlock::slope), s = std::sin(InclineBlock::slope);
+  return {x[0] * c - x[dim - 1] * s, x[0] * s + x[dim - 1] * c};
+}
+
 }  // namespace
 
 template <int dim>
@@ -54,13 +62,6 @@ mpm::Problem<dim> block_problem(const InclineBlock& block) {
 }
 
 template <int dim>
-std::array<double, 2> on_slope(const InclineBlock& block, const std::array<double, dim>& x) {
-  if (!block.turned_mesh) return {x[0], x[dim - 1]};
-  const double c = std::cos(InclineBlock::slope), s = std::sin(InclineBlock::slope);
-  return {x[0] * c - x[dim - 1] * s, x[0] * s + x[dim - 1] * c};
-}
-
-template <int dim>
 std::vector<BlockState> block_path(const Motion<dim>& motion, const InclineBlock& block) {
   std::vector<BlockState> path;
   for (const auto& cloud : motion.clouds) {
@@ -88,7 +89,5 @@ template mpm::Problem<2> block_problem(const InclineBlock&);
 template mpm::Problem<3> block_problem(const InclineBlock&);
 template std::vector<BlockState> block_path(const Motion<2>&, const InclineBlock&);
 template std::vector<BlockState> block_path(const Motion<3>&, const InclineBlock&);
-template std::array<double, 2> on_slope<2>(const InclineBlock&, const std::array<double, 2>&);
-template std::array<double, 2> on_slope<3>(const InclineBlock&, const std::array<double, 3>&);
 
 }  // namespace wetfront::verification

@@ -23,10 +23,6 @@ struct InclineBlock {
 template <int dim>
 mpm::Problem<dim> block_problem(const InclineBlock& block);
 
-/// Along the slope and out of the base.
-template <int dim>
-std::array<double, 2> on_slope(const InclineBlock& block, const std::array<double, dim>& x);
-
 struct BlockState {
   double time;                            ///< s
   std::array<double, 2> place, velocity;  ///< means, along the slope and out of the base
