@@ -232,11 +232,11 @@ void expect_the_same_bits_of_threads(Problem<2> (*body)(long points, int per_cel
 }
 
 TEST(DeformingSkeleton, TwoThreadsGiveTheBitsOfOne) {
-  expect_the_same_bits_of_threads(test::sheared_sand, 60);
+  expect_the_same_bits_of_threads(test::sheared_sand, 70);
 }
 
 TEST(DeformingSkeleton, TwoThreadsGiveTheBitsOfOneWithWaterInThePores) {
-  expect_the_same_bits_of_threads(test::sheared_wet_sand, 60);
+  expect_the_same_bits_of_threads(test::sheared_wet_sand, 70);
 }
 
 TEST(DeformingSkeleton, ARunOfMovingSandGoesOnWithTheSameBits) {
