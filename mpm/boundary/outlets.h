@@ -20,7 +20,8 @@ struct Outlet {
   Vector<dim> centre{};                          ///< x_s [m]
   Vector<dim> area{};                            ///< outwards [m^(dim-1)]
   double size = 0;                               ///< sum of |area| of its parts
-  double open = 0, hidden = 0;                   ///< horizontal areas of the parts that face the sky, the ground
+  double open = 0, hidden = 0;                   ///< horizontal areas of the parts that see the sky, face the ground
+  double shaded = 0;                             ///< the same of parts that face upwards with soil above (2-D)
   std::size_t cell = 0;                          ///< the soil behind
   int region = 0;                                ///< its soil (the lowest index where several meet)
   double film = 0;  ///< conductance of the surface film of that soil, 1e4 k/(mu h) [m/(s Pa)], largest k where two meet
@@ -40,10 +41,11 @@ std::vector<Outlet<dim>> outlets(const StagePlan<dim>& plan, const Surface<dim>&
                                  const std::string& who, const Origin& origin);
 
 /// Throws CannotPlan when rain (or evaporation) asked for on a side cannot act: it faces nowhere up or some of it down,
-/// soil lies above it, or part of the surface that it would reach belongs to no condition.
+/// soil lies above it, or part of the surface that it would reach belongs to no condition. In a body that `has_moved`
+/// soil may lie above soil: rain falls on the upper one.
 template <int dim>
 void check_rain(const StagePlan<dim>& plan, const Surface<dim>& surface, const std::vector<Outlet<dim>>& outlets,
-                const std::string& side, const Origin& origin);
+                const std::string& side, bool has_moved, const Origin& origin);
 
 /// Conductance of the surface film per k/(mu h). physics.md section 3: insensitive over six decades. A flux q through
 /// the film leaves rho g h (q/K_s)/1e4 of pressure: 0.6 Pa on the largest cells of the flume. (1e3 left 5.6 Pa there;

@@ -14,8 +14,14 @@ namespace wetfront::mpm {
 
 namespace {
 
-/// Cycles of the skeleton in a step of the flow: the pressure of a saturated cell of sand evens out in about as long.
-constexpr double cycles_per_step = 16;
+/// Cycles of the skeleton in a step of the flow while the body moves: the pressure of a saturated cell of sand evens
+/// out in about as long.
+constexpr double fewest_cycles = 16;
+/// While it stands: some hundredths of a second, nothing beside rain.
+constexpr double most_cycles = 256;
+/// What seepage may find to even out after a step's undrained motion, for the next step to be longer: a thousandth of
+/// the pressures under a metre of water.
+constexpr double small_answer = 10;  // Pa
 /// Nodes this close to zero pressure answer like full ones.
 constexpr double nearly_full = 100;  // Pa
 
@@ -54,8 +60,10 @@ void TrueTimeMotion<dim>::join_own() {
   cycle_->conditions.push_back(std::make_unique<PoreForce>(*this));
   // At entry "mass" is that of the grains.
   plan.at_entry([this] { std::ranges::copy(mass_->values(), grains_->values().begin()); });
-  plan.add_accuracy_limit("flow beside motion", "16 cycles of the skeleton",
-                          [this] { return cycles_per_step * longest_cycle(); });
+  cycles_per_step_ = &plan.provide_on_run({"cycles in a step of the flow", "N", "-"});
+  plan.at_begin([this] { cycles_per_step_->fill(fewest_cycles); });
+  plan.add_accuracy_limit("flow beside motion", "16 to 256 cycles of the skeleton",
+                          [this] { return (*cycles_per_step_)[0][0] * longest_cycle(); });
   // Nodes that points reach on the way have no pressure before the flow is solved again.
   plan.add_accuracy_limit("motion beside flow", "half a cell", [this] { return cycle_->crossing() / 2; });
   plan.at_record([this](double, meshes::FieldHistory& history) {
@@ -227,6 +235,15 @@ void TrueTimeMotion<dim>::move_undrained() {
   clock = whole;
 }
 
+/// How many cycles the next step of the flow takes, by the undrained answer to this one's.
+template <int dim>
+void TrueTimeMotion<dim>::choose_cycles() {
+  double most = 0;
+  for (const double change : start_) most = std::max(most, std::abs(change));
+  double& cycles = (*cycles_per_step_)[0][0];
+  cycles = std::clamp(cycles * std::clamp(small_answer / most, 0.5, 2.0), fewest_cycles, most_cycles);
+}
+
 template <int dim>
 void TrueTimeMotion<dim>::begin_step() {
   carried_->before_motion();
@@ -237,6 +254,7 @@ void TrueTimeMotion<dim>::begin_step() {
     (*c_.pressure)[0][i] = start_[i];
     start_[i] = now - start_[i];
   }
+  choose_cycles();
   refresh_geometry();
   carried_->after_motion(start_);
   std::ranges::copy(c_.pressure->values(), water_->trial->values().begin());

@@ -32,6 +32,7 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
   double volume_of(const Block& block) const;
   void add_pore_force();
   void move_undrained();
+  void choose_cycles();
   void answer();
   double answered(std::size_t node) const;
   void weigh_points();
@@ -42,6 +43,7 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
       SkeletonOfFlow<dim>::volume_, SkeletonOfFlow<dim>::water_, SkeletonOfFlow<dim>::refresh_geometry,
       SkeletonOfFlow<dim>::press_points;
   Column *mass_ = nullptr, *grains_ = nullptr, *force_ = nullptr, *water_of_points_ = nullptr, *brought_ = nullptr;
+  Column* cycles_per_step_ = nullptr;
   const Column *position_ = nullptr, *velocity_ = nullptr;
   std::vector<Cell> cells_;
   std::vector<double> block_volume_;                ///< of the blocks, before they move [m^dim]

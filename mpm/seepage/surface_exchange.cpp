@@ -59,7 +59,7 @@ void SurfaceExchange<dim>::add_outlets(StagePlan<dim>& plan, int condition) {
                                                                     : "rainfall";
   const auto& surface = water_->surface(plan);
   const auto found = outlets(plan, surface, side, who, origin);
-  if (wants_sky(entry)) check_rain(plan, surface, found, side, origin);
+  if (wants_sky(entry)) check_rain(plan, surface, found, side, has_moved_, origin);
   for (const Outlet<dim>& outlet : found) {
     const auto is_held = [&outlet](const auto& h) { return outlet.piece < 0 && h.node == outlet.node[0]; };
     if (std::any_of(water_->held.begin(), water_->held.end(), is_held)) continue;  // a held pressure wins
@@ -293,13 +293,15 @@ void SurfaceExchange<dim>::join(StagePlan<dim>& plan) {
   imposed_ = &water_->cumulate(plan, "rain imposed", "Q_in");
   run_off_ = &water_->cumulate(plan, "rain run-off", "Q_run");
   plan.require_on_nodes("pressure");
+  const bool rigid =
+      std::ranges::none_of(plan.problem.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
+  has_moved_ = !rigid && plan.fields.points.columns.find_allocated("water") != nullptr;
   collect(plan);
+  has_moved_ = !rigid;
   add_passings(plan);
   const bool follows = std::ranges::any_of(plan.problem.water_boundary, [](const auto& boundary) {
     return std::visit([](const auto& b) { return b.side == free_surface; }, boundary);
   });
-  const bool rigid =
-      std::ranges::none_of(plan.problem.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
   const auto find_sites = [this, &plan, follows, rigid] {
     // A side of the mesh stays the surface of a body that settles, so long as there is soil behind it.
     if ((follows || rigid) && water_->surface(plan).update()) collect(plan);

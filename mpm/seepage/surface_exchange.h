@@ -63,6 +63,7 @@ class SurfaceExchange : public Effect<dim> {
   std::vector<Site> sites_;
   /// A first step is being chosen: by what the soil takes, K_s/h, and not by how fast a film reaches a held pressure.
   bool starting_ = false;
+  bool has_moved_ = false;                                             ///< the body, since the scene placed it
   Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr;  ///< rates
 };
 

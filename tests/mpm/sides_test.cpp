@@ -1,4 +1,5 @@
 // The water boundaries of seepage against closed forms, balances and each other.
+#include "mpm/boundary/outlets.h"
 #include "mpm/simulation.h"
 #include "tests/mpm/plane.h"
 #include "tests/mpm/strip.h"
@@ -251,6 +252,25 @@ void expect_refusal(const Problem<2>& problem, const std::string& words) {
   }
 }
 
+/// Half a dam's height of soil with a hole through it whose floor, a side, lies under a roof of soil.
+Problem<2> slotted() {
+  Problem<2> slot = dam(8, false);
+  meshes::Side floor{"floor", {}};
+  std::vector<int> cells, region;
+  for (std::size_t c = 0; c < slot.mesh.cell_count(); ++c) {
+    const auto x = slot.mesh.cell_centre(c);
+    if (std::abs(x[0] - 0.5) < 0.2 && std::abs(x[1] - 0.5) < 0.2) continue;
+    for (int node : slot.mesh.cell(c)) cells.push_back(node);
+    region.push_back(0);
+  }
+  for (int i = 3; i < 5; ++i)
+    for (int node : {i + 9 * 2, i + 1 + 9 * 2}) floor.faces.push_back(node);
+  slot.mesh.cells = cells;
+  slot.mesh.region = region;
+  slot.mesh.sides.push_back(floor);
+  return slot;
+}
+
 TEST(Sides, RainThatCannotFallStopsTheRun) {
   Problem<2> problem = dam(8, false);
   const auto rain = [](const std::string& side) { return RainSide{side, {{0}, {1e-5}}, "scene:7"}; };
@@ -275,23 +295,29 @@ TEST(Sides, RainThatCannotFallStopsTheRun) {
   problem.surface = {{0, -0.55, 0}, {1, -0.55, 0}};
   expect_refusal(problem, "leaves no soil");
   problem.surface.clear();
-  // A slot: the floor of the mesh's hole lies under a roof of soil.
-  Problem<2> slot = dam(8, false);
-  meshes::Side floor{"floor", {}};
-  std::vector<int> cells, region;
-  for (std::size_t c = 0; c < slot.mesh.cell_count(); ++c) {
-    const auto x = slot.mesh.cell_centre(c);
-    if (std::abs(x[0] - 0.5) < 0.2 && std::abs(x[1] - 0.5) < 0.2) continue;
-    for (int node : slot.mesh.cell(c)) cells.push_back(node);
-    region.push_back(0);
-  }
-  for (int i = 3; i < 5; ++i)
-    for (int node : {i + 9 * 2, i + 1 + 9 * 2}) floor.faces.push_back(node);
-  slot.mesh.cells = cells;
-  slot.mesh.region = region;
-  slot.mesh.sides.push_back(floor);
+  Problem<2> slot = slotted();
   slot.water_boundary = {rain("floor")};
   expect_refusal(slot, "soil lies above it");
+}
+
+/// Where a body that has moved lies above itself the rain falls on what is on top.
+TEST(Sides, SoilUnderSoilLiesInTheShade) {
+  const Problem<2> slot = slotted();
+  Fields<2> fields(slot);
+  StagePlan<2> plan(slot, 0, fields);
+  Surface<2> surface(fields.grid, fields.points, slot.mesh);
+  surface.update();
+  double open = 0, shaded = 0;
+  auto all = outlets<2>(plan, surface, "floor", "rain", "o");
+  for (const auto& more : outlets<2>(plan, surface, "top", "rain", "o")) all.push_back(more);
+  for (const auto& outlet : all) {
+    open += outlet.open;
+    shaded += outlet.shaded;
+  }
+  EXPECT_NEAR(open, 1, 1e-12);
+  EXPECT_NEAR(shaded, 0.25, 1e-12);
+  EXPECT_THROW(check_rain<2>(plan, surface, all, "top", false, "o"), CannotPlan);
+  EXPECT_NO_THROW(check_rain<2>(plan, surface, all, "top", true, "o"));
 }
 
 TEST(Sides, ALevelNeedsARecord) {

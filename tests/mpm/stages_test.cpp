@@ -54,7 +54,9 @@ Problem<2> slope(int along, int over) {
 
 TEST(Stages, ASlopeFailsSlidesAndRests) {
   Simulation<2> simulation(slope(24, 4));
-  while (!simulation.finished()) simulation.step();
+  double steps_of_rain = 0;
+  for (; !simulation.finished(); simulation.step())
+    if (simulation.body().stages.size() == 1) ++steps_of_rain;
   const BodyRecord body = simulation.body();
   const auto history = simulation.take_history();
   ASSERT_EQ(body.stages.size(), 2u);
@@ -72,6 +74,8 @@ TEST(Stages, ASlopeFailsSlidesAndRests) {
   EXPECT_NEAR(last.stored - first.stored, last.infiltrated - last.outflow, 1e-9 * last.rain_asked);
   // Rain finds the surface wherever it moves, in every solve of a step (1e-4 measured: where the surface turns over).
   EXPECT_NEAR(last.rain_asked / (2e-4 * 6 * last.time), 1, 1e-3);
+  // The water of a body that moves evens out every few cycles of the skeleton.
+  EXPECT_LT(history.counters.at("cycles in true time"), 32 * (history.counters.at("steps") - steps_of_rain));
   // Pictures: at failure first.
   ASSERT_FALSE(body.pictures.empty());
   EXPECT_EQ(body.pictures[0].of, "failure");
@@ -144,6 +148,25 @@ TEST(Stages, ACutRunGoesOnWithTheSameBits) {
   long steps = 0;
   for (; !whole.finished(); ++steps) whole.step();
   test::expect_continuation(problem, std::max(1L, steps / 6), 1);
+}
+
+/// Rain on a slope that stands asks for the flow a hundred times less often than motion for a cycle.
+TEST(TrueTime, ABodyThatStandsTakesLongStepsOfTheFlow) {
+  Problem<2> problem = slope(12, 2);
+  problem.stages[0].end_time = 10;
+  problem.stages[0].ends_with = problem.stages[1].ends_with = StageEnd::time;
+  problem.stages[1].end_time = 14;
+  problem.stages[1].longest = 4;
+  problem.stages[1].picture_every = 0;
+  problem.output_times = {10, 14};
+  Simulation<2> simulation(problem);
+  double steps = 0;
+  for (; !simulation.finished(); simulation.step())
+    if (simulation.time() >= 10) ++steps;
+  const auto history = simulation.take_history();
+  EXPECT_GT(history.counters.at("cycles in true time"), 64 * steps);
+  const auto& last = history.ledger.back();
+  EXPECT_NEAR(last.stored - history.ledger.front().stored, last.infiltrated - last.outflow, 1e-9 * last.rain_asked);
 }
 
 /// A closed box, full, without weight, pressed together from above.
