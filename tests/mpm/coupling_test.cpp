@@ -1,4 +1,5 @@
 // Seepage and a skeleton that goes from equilibrium to equilibrium: consolidation, undrained loads, water at rest.
+#include "mpm/coupling/stall_watch.h"
 #include "mpm/laws/linear_elastic.h"
 #include "mpm/simulation.h"
 #include "tests/mpm/continuation.h"
@@ -221,6 +222,22 @@ TEST(Relaxation, DampedMotionFindsTheSameRest) {
 }
 
 // A vertical cut in sand cannot stand.
+/// Of three relaxations that all go on for ever only the one that neither calms nor creeps has stalled.
+TEST(Relaxation, AStallNeitherCalmsNorCreeps) {
+  const auto stalls = [](double calming, double creep) {
+    StallWatch watch;
+    watch.begin(100, 1e-5);
+    for (long i = 0; i < 1000; i += 16)
+      if (watch.stalled(i, 4e-4 * std::exp(-calming * static_cast<double>(i)), creep * static_cast<double>(i)))
+        return true;
+    return false;
+  };
+  EXPECT_TRUE(stalls(0, 0));
+  EXPECT_TRUE(stalls(5e-4, 5e-8));  // a twentieth calmer in a window, 5e-6 m
+  EXPECT_FALSE(stalls(2e-3, 0));    // a fifth calmer in a window
+  EXPECT_FALSE(stalls(0, 2e-7));    // 2e-5 m in a window
+}
+
 TEST(Relaxation, WhatCannotStandStopsTheRun) {
   Problem<2> problem = dry_column(4);
   problem.mesh = test::box(3, 1, 12, 4);

@@ -1,6 +1,7 @@
 #include "verification/present/body_figures.h"
 
 #include "meshes/mesh.h"
+#include "verification/present/slide_figures.h"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,23 @@ TEST(BodyFigures, AreNotThereForARigidSkeleton) {
   meshes::FieldHistory rigid = history();
   rigid.snapshots[0].node_displacement.clear();
   EXPECT_TRUE(body_figures(rigid).empty());
+}
+
+/// What is known, what came out, and what came out on the second mesh stand in one row.
+TEST(SlideTables, ASecondMeshStandsBesideWhatCameOut) {
+  Scene scene;
+  scene.observations = {{"failure_time", "9267 s", "", "late", {}}, {"largest_velocity", "", "", "", {}}};
+  const std::vector<Outcome> outcomes = {{"failure_time", "time of failure", "s", 11004.0}};
+  const std::optional<OnSecondMesh> second{
+      {"on twice the cell size", {{"failure_time", "time of failure", "s", 10951}}}};
+  const reports::Table one = observed_table(scene, outcomes, {}), two = observed_table(scene, outcomes, second);
+  ASSERT_EQ(one.header.size(), 5u);
+  ASSERT_EQ(two.header.size(), 6u);
+  EXPECT_EQ(two.header[4], "on twice the cell size");
+  const std::vector<std::string> row = {"time of failure", "9267 s", "-", "11004 s", "10951 s", "late"};
+  EXPECT_EQ(two.rows[0], row);
+  EXPECT_EQ(two.rows[1][4], "-");  // neither mesh has it
+  EXPECT_EQ(outcome_table(outcomes, second).rows[0].back(), "10951 s");
 }
 
 }  // namespace

@@ -173,6 +173,17 @@ TEST_F(CommandLine, ADrySceneRunsWithoutAReference) {
   EXPECT_TRUE(fs::exists(folder / "out/dry_column/report.html"));
 }
 
+TEST_F(CommandLine, WhatCameOutStandsBesideThatOfASecondMesh) {
+  const std::string coarse = " --set geometry.profile.cells_along=12 --set geometry.profile.cells_over=4";
+  ASSERT_EQ(wetfront("run " + cases + "small_slope/scene.toml" + coarse).code, 0);
+  const std::string result = read(folder / "out/small_slope/result.json");
+  EXPECT_THAT(result, HasSubstr("on twice the cell size"));
+  EXPECT_THAT(result, HasSubstr("MPM on twice the cell size: stage 'slide' ends"));
+  const Output none = wetfront("run " + cases + "dry_column/scene.toml --set comparison.second_mesh=coarser");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.text, HasSubstr("nothing comes out of a slide"));
+}
+
 TEST_F(CommandLine, HelpListsTheCommandsAndExitCodes) {
   const Output output = wetfront("--help");
   EXPECT_EQ(output.code, 0);

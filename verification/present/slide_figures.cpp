@@ -99,9 +99,13 @@ std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
   return {far, fast};
 }
 
-std::string number(const Outcome& outcome) {
-  if (std::isnan(outcome.value)) return "-";
-  return fmt::format("{:.5g}{}", outcome.value, outcome.unit == "-" ? "" : " " + outcome.unit);
+std::string number(const Outcome* outcome) {
+  if (outcome == nullptr || std::isnan(outcome->value)) return "-";
+  return fmt::format("{:.5g}{}", outcome->value, outcome->unit == "-" ? "" : " " + outcome->unit);
+}
+
+std::string doubt(const std::optional<OnSecondMesh>& second) {
+  return second ? "What two meshes differ by is the numerical doubt." : "";
 }
 
 }  // namespace
@@ -132,24 +136,32 @@ reports::Table stage_table(const mpm::BodyRecord& body) {
   return table;
 }
 
-reports::Table outcome_table(const std::vector<Outcome>& outcomes) {
-  reports::Table table{"What came out", "The slide", "", {"quantity", "what", "value"}, {}};
-  for (const Outcome& one : outcomes)
-    if (!(one.name.starts_with("interval:") && one.value < 0))  // the same pair stands there the other way round
-      table.rows.push_back({one.name, one.description, number(one)});
+reports::Table outcome_table(const std::vector<Outcome>& outcomes, const std::optional<OnSecondMesh>& second) {
+  reports::Table table{"What came out", "The slide", doubt(second), {"quantity", "what", "value"}, {}};
+  if (second) table.header.push_back(second->cells);
+  for (const Outcome& one : outcomes) {
+    if (one.name.starts_with("interval:") && one.value < 0) continue;  // the same pair stands there the other way round
+    table.rows.push_back({one.name, one.description, number(&one)});
+    if (second) table.rows.back().push_back(number(find_outcome(second->outcomes, one.name)));
+  }
   return table;
 }
 
-reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& outcomes) {
+reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& outcomes,
+                              const std::optional<OnSecondMesh>& second) {
   reports::Table table{"What is known and what came out",
                        "The slide",
-                       "Not gated.",
-                       {"quantity", "measured", "published simulation", "here", "remark"},
+                       "Not gated. " + doubt(second),
+                       {"quantity", "measured", "published simulation", "here"},
                        {}};
+  if (second) table.header.push_back(second->cells);
+  table.header.push_back("remark");
   for (const Observation& known : scene.observations) {
     const Outcome* found = find_outcome(outcomes, known.quantity);
     table.rows.push_back({found ? found->description : known.quantity, known.measured.empty() ? "-" : known.measured,
-                          known.simulated.empty() ? "-" : known.simulated, found ? number(*found) : "-", known.remark});
+                          known.simulated.empty() ? "-" : known.simulated, number(found)});
+    if (second) table.rows.back().push_back(number(find_outcome(second->outcomes, known.quantity)));
+    table.rows.back().push_back(known.remark);
   }
   return table;
 }

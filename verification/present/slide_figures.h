@@ -5,6 +5,8 @@
 #include "verification/compare/body_outcomes.h"
 #include "verification/scene/scene.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace wetfront::verification {
@@ -16,9 +18,15 @@ std::vector<reports::Figure> slide_figures(const Scene& scene, const meshes::Fie
 
 /// Stages as they went, with what each plan held.
 reports::Table stage_table(const mpm::BodyRecord& body);
-/// All of body_outcomes().
-reports::Table outcome_table(const std::vector<Outcome>& outcomes);
+/// What came out of the same scene on cells of another size.
+struct OnSecondMesh {
+  std::string cells;  ///< the header over it
+  std::vector<Outcome> outcomes;
+};
+/// All of body_outcomes(), beside those of the second mesh where there is one.
+reports::Table outcome_table(const std::vector<Outcome>& outcomes, const std::optional<OnSecondMesh>& second);
 /// What the scene says is known ([[observed]]) beside what came out here.
-reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& outcomes);
+reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& outcomes,
+                              const std::optional<OnSecondMesh>& second);
 
 }  // namespace wetfront::verification

@@ -18,6 +18,7 @@
 #include "verification/present/side_table.h"
 #include "verification/present/slide_figures.h"
 #include "verification/present/tables.h"
+#include "verification/run/finer_cells.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
@@ -75,8 +76,26 @@ void add_accuracy(reports::Record& record, const AccurateCandidate& candidate) {
   record.tables.push_back(std::move(table));
 }
 
+/// The same scene on cells of another size; none where the scene asks for none, the run itself gave
+/// up, or that mesh allows none. Nothing it meets may lose the run that is there.
+std::optional<OnSecondMesh> on_second_mesh(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+  const double factor = prepared.scene.comparison.second_mesh;
+  if (factor == 1 || !candidate.gave_up.empty()) return {};
+  const std::string cells = factor > 1 ? "on half the cell size" : "on twice the cell size", who = "MPM " + cells;
+  try {
+    const Scene scene = with_finer_cells(prepared.scene, factor);
+    const Solved solved = run_candidate(to_mpm(scene, mpm_mesh(scene), prepared.timeline));
+    note_solver(record, who, solved);
+    return OnSecondMesh{cells, body_outcomes(scene, solved.history, solved.body)};
+  } catch (const std::exception& problem) {
+    record.log.push_back(who + ": not run: " + problem.what());
+    return {};
+  }
+}
+
 /// The body and its slide, before everything else on the page.
-void add_body(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+void add_body(reports::Record& record, const Prepared& prepared, const Solved& candidate,
+              const std::optional<OnSecondMesh>& second) {
   const mpm::BodyRecord& body = candidate.body;
   const bool had_events =
       std::ranges::any_of(prepared.scene.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; });
@@ -85,8 +104,9 @@ void add_body(reports::Record& record, const Prepared& prepared, const Solved& c
   record.figures.insert(record.figures.begin(), std::make_move_iterator(pictures.begin()),
                         std::make_move_iterator(pictures.end()));
   const auto outcomes = body_outcomes(prepared.scene, candidate.history, body);
-  std::vector<reports::Table> tables = {stage_table(body), outcome_table(outcomes)};
-  if (!prepared.scene.observations.empty()) tables.insert(tables.begin(), observed_table(prepared.scene, outcomes));
+  std::vector<reports::Table> tables = {stage_table(body), outcome_table(outcomes, second)};
+  if (!prepared.scene.observations.empty())
+    tables.insert(tables.begin(), observed_table(prepared.scene, outcomes, second));
   record.tables.insert(record.tables.begin(), tables.begin(), tables.end());
 }
 
@@ -193,7 +213,7 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
     judge_alone(record, prepared, result.candidate);
   record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
-  add_body(record, prepared, result.candidate);
+  add_body(record, prepared, result.candidate, on_second_mesh(record, prepared, result.candidate));
   add_candidate_tables(record, prepared, result.candidate.history);
   result.exit = exit_for(record.verdict);
   if (!why_given_up(result).empty()) {

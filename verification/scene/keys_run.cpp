@@ -62,6 +62,7 @@ std::vector<Key> run_keys() {
     {"reference.adaptive", "threshold", Takes::quantity, "1", optional, "1e-3", "error in water content beyond which a cell is halved", "1e-3", {"1e-8", "0.5"}},
 
     {"comparison", "times", Takes::times, "", required, "", "when fields are kept and compared, ascending", R"(["25 % of filling", "50 % of filling"])"},
+    {"comparison", "second_mesh", Takes::choice, "", optional, "none", "runs the MPM again on cells twice as large, or half as large, and shows what came out of it beside what is known and came out: the numerical doubt of a slide", "coarser", {}, {"none", "coarser", "finer"}},
 
     {"tolerance", "quantity", Takes::choice, "", required, "", "what is gated; the table of quantities is below", "pressure_l2", {}, quantity_names()},
     {"tolerance", "at", Takes::time, "s", optional, "", "one of the comparison times; all of them when absent", "25 % of filling"},

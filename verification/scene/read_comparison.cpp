@@ -157,6 +157,19 @@ void read_tolerance(SectionReader& reader, Reading& reading) {
   reader.finish();
 }
 
+void read_second_mesh(SectionReader& section, Scene& scene) {
+  const std::string cells = section.choice("second_mesh");
+  if (cells == "coarser") scene.comparison.second_mesh = 0.5;
+  if (cells == "finer") scene.comparison.second_mesh = 2;
+  if (scene.comparison.second_mesh == 1) return;
+  if (std::holds_alternative<MeshFile>(scene.geometry.shape))
+    section.complain("second_mesh", {"a mesh of your own has no second one", "its cells cannot be changed by the scene",
+                                     "Remove it, and run the scene with two mesh files."});
+  if (std::ranges::none_of(scene.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; }))
+    section.unused("second_mesh", "no stage of this scene ends with failure or rest, so nothing comes out of a slide",
+                   "Remove it; `wetfront study accuracy` tells what cells cost.");
+}
+
 void read_observation(SectionReader& reader, Scene& scene) {
   Observation known{reader.text("quantity"), reader.text("measured"), reader.text("simulated"), reader.text("remark"),
                     reader.origin()};
@@ -182,6 +195,7 @@ void read_comparison(Reading& reading) {
     reading.scene.comparison.times = section->times("times");
     reading.scene.comparison.origin = section->origin();
     check_times(*section, reading.scene, reading.filling());
+    read_second_mesh(*section, reading.scene);
     section->finish();
   }
   for (SectionReader& reader : sections_of(reading.root, "tolerance", reading.complaints))

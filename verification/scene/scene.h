@@ -105,6 +105,7 @@ struct Observation {
 struct Comparison {
   std::vector<SceneTime> times;
   std::vector<Tolerance> tolerances;
+  double second_mesh = 1;  ///< the MPM runs again with so many times as many cells each way; 1: it does not
   Origin origin;
 };
 
