@@ -17,7 +17,9 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <thread>
 
 namespace wetfront::verification {
@@ -40,6 +42,12 @@ class Study : public test::Program {
     return times;
   }
 };
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
 
 const std::string vary = "study vary " + seed + " --set rain.intensity=2e-5,3e-5,4e-5 --out study --jobs 1";
 
@@ -108,6 +116,19 @@ TEST_F(Study, ARefusedPointIsAResultAndSaysWhy) {
   EXPECT_EQ(output.code, 2);
   EXPECT_THAT(output.text, HasSubstr("porosity = 1.5 is out of range"));
   EXPECT_THAT(wetfront("study vary " + seed + " --set rain.intensty=1").text, HasSubstr("Did you mean 'intensity'?"));
+}
+
+/// What a slope is studied for: when it fails, how deep, how far, over rain by what the ground takes.
+TEST_F(Study, RainOnASlopeTellsOfItsSlide) {
+  const Output output = wetfront("study vary " WETFRONT_SOURCE_DIR
+                                 "/verification/cases/small_slope/scene.toml "
+                                 "--set rain.intensity=2e-4,4e-4 --set geometry.profile.cells_over=2 "
+                                 "--set geometry.profile.cells_along=12 --out slope");
+  ASSERT_EQ(output.code, 0) << output.text;
+  const std::string result = text_of(folder / "slope/result.json");
+  for (const char* said :
+       {"time of failure [s]", "largest velocity of a marker [m/s]", ", deep", "rain.intensity / k_s"})
+    EXPECT_THAT(result, HasSubstr(said));
 }
 
 TEST(Points, AreEveryCombination) {

@@ -123,9 +123,21 @@ class Body {
 
 }  // namespace
 
+bool follows_a_body(const Scene& scene) {
+  return !scene.riders.empty() ||
+         std::ranges::any_of(scene.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; });
+}
+
 std::vector<Outcome> body_outcomes(const Scene& scene, const meshes::FieldHistory& history,
                                    const mpm::BodyRecord& body) {
   return Body(scene, history, body).all();
+}
+
+std::string in_words(const Outcome& outcome) {
+  if (std::isnan(outcome.value)) return "";
+  if (outcome.name == "slide_depth") return outcome.value >= 0.5 ? "deep" : "shallow";
+  if (outcome.name == "wetting_order") return outcome.value < 0 ? "base first" : "surface first";
+  return "";
 }
 
 }  // namespace wetfront::verification

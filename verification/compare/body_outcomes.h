@@ -5,10 +5,14 @@
 #include "verification/compare/outcomes.h"
 #include "verification/scene/scene.h"
 
+#include <string>
 #include <vector>
 
 /// What a run says about a body that fails and moves, each a number with a unit.
 namespace wetfront::verification {
+
+/// A scene in which a body is followed: events end stages, or markers ride on it.
+bool follows_a_body(const Scene& scene);
 
 /// failure_time, slide_duration (5 to 95 % of the largest displacement of the riders), largest_displacement and
 /// largest_velocity of the riders, displacement_p95 over all points, slide_depth (part of the thickness, 1: to the
@@ -16,5 +20,9 @@ namespace wetfront::verification {
 /// rise of any gauge against ponding (wetting_order < 0: the base first).
 std::vector<Outcome> body_outcomes(const Scene& scene, const meshes::FieldHistory& history,
                                    const mpm::BodyRecord& body);
+
+/// What the number of slide_depth ("deep", "shallow") or wetting_order ("base first", "surface first") means; empty for
+/// any other, and for what did not happen.
+std::string in_words(const Outcome& outcome);
 
 }  // namespace wetfront::verification

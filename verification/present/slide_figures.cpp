@@ -101,7 +101,9 @@ std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
 
 std::string number(const Outcome* outcome) {
   if (outcome == nullptr || std::isnan(outcome->value)) return "-";
-  return fmt::format("{:.5g}{}", outcome->value, outcome->unit == "-" ? "" : " " + outcome->unit);
+  const std::string meaning = in_words(*outcome);
+  return fmt::format("{:.5g}{}{}", outcome->value, outcome->unit == "-" ? "" : " " + outcome->unit,
+                     meaning.empty() ? "" : ", " + meaning);
 }
 
 std::string doubt(const std::optional<OnSecondMesh>& second) {

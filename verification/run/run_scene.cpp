@@ -97,9 +97,7 @@ std::optional<OnSecondMesh> on_second_mesh(reports::Record& record, const Prepar
 void add_body(reports::Record& record, const Prepared& prepared, const Solved& candidate,
               const std::optional<OnSecondMesh>& second) {
   const mpm::BodyRecord& body = candidate.body;
-  const bool had_events =
-      std::ranges::any_of(prepared.scene.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; });
-  if (body.riders.empty() && !had_events) return;
+  if (!follows_a_body(prepared.scene)) return;
   auto pictures = slide_figures(prepared.scene, candidate.history, body);
   record.figures.insert(record.figures.begin(), std::make_move_iterator(pictures.begin()),
                         std::make_move_iterator(pictures.end()));

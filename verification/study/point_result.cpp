@@ -3,6 +3,7 @@
 #include "mpm/plan.h"
 #include "reports/whole_file.h"
 #include "reports/write.h"
+#include "verification/compare/body_outcomes.h"
 #include "verification/scene/read.h"
 
 #include <nlohmann/json.hpp>
@@ -45,7 +46,18 @@ Json json_of(const PointResult& result) {
           {"reference", json_of(result.reference)}};
 }
 
-void fill(PointResult& result, const Scene& scene, const std::filesystem::path& folder, const ReferenceStore& store) {
+/// What came out of the slide first, then what came out of the ground.
+std::vector<Outcome> all_outcomes(const Scene& scene, const Timeline& times, const Solved& solved) {
+  std::vector<Outcome> all = outcomes(scene, times, solved.history, solved.history);
+  if (!follows_a_body(scene)) return all;
+  std::vector<Outcome> slide = body_outcomes(scene, solved.history, solved.body);
+  std::erase_if(slide, [&all](const Outcome& one) { return find_outcome(all, one.name) != nullptr; });
+  all.insert(all.begin(), slide.begin(), slide.end());
+  return all;
+}
+
+void fill(PointResult& result, Scene scene, const std::filesystem::path& folder, const ReferenceStore& store) {
+  scene.comparison.second_mesh = 1;  // a study has points for that
   const RunResult run = run_scene(scene, folder, {store});
   const Timeline times = timeline(scene);
   result.exit = static_cast<int>(run.exit);
@@ -53,7 +65,7 @@ void fill(PointResult& result, const Scene& scene, const std::filesystem::path& 
   result.candidate_cpu = run.candidate.history.cpu_seconds;
   for (const auto& stage : mpm::plan(prepare(scene).problem))
     result.point_bytes = std::max(result.point_bytes, stage.point_bytes);
-  result.candidate = outcomes(scene, times, run.candidate.history, run.candidate.history);
+  result.candidate = all_outcomes(scene, times, run.candidate);
   if (run.reference) result.reference = outcomes(scene, times, run.reference->reference.history, run.candidate.history);
   result.findings = run.record.findings;
 }

@@ -1,9 +1,12 @@
 #include "verification/study/study_page.h"
 
+#include "verification/compare/body_outcomes.h"
 #include "verification/compare/verdict.h"
 #include "verification/present/figure_frame.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
+#include "verification/scene/units.h"
+#include "verification/translate/initial_pressure.h"
 #include "verification/translate/scene_mesh.h"
 
 #include <fmt/format.h>
@@ -70,7 +73,8 @@ reports::Table outcomes_table(const std::vector<PointResult>& results) {
     for (const Outcome& one : names) {
       const Outcome* candidate = find_outcome(results[i].candidate, one.name);
       const Outcome* reference = find_outcome(results[i].reference, one.name);
-      row.push_back((candidate ? number(candidate->value) : "-") +
+      const std::string meaning = candidate ? in_words(*candidate) : "";
+      row.push_back((candidate ? number(candidate->value) : "-") + (meaning.empty() ? "" : ", " + meaning) +
                     (reference ? " (" + number(reference->value) + ")" : ""));
     }
     table.rows.push_back(std::move(row));
@@ -78,18 +82,36 @@ reports::Table outcomes_table(const std::vector<PointResult>& results) {
   return table;
 }
 
-/// Number of the first variation whose values are all numbers, and the unit they have.
+/// Number of the first variation whose values are all numbers, what it is called on an axis, and how much one of its
+/// units is there.
 struct Abscissa {
   std::size_t variation;
-  std::string unit;
+  std::string label, unit;
+  double scale = 1;
 };
-std::optional<Abscissa> abscissa(const std::vector<Variation>& variations, const std::string& text) {
+
+/// Rain on one soil is told by its conductivity: what the ground takes decides, not the millimetres.
+void tell_by_conductivity(const Scene& scene, Abscissa& rain) {
+  if (scene.soils.size() != 1 || !scene.water || !rain.label.starts_with("rain") || !rain.label.ends_with(".intensity"))
+    return;
+  const auto one = read_quantity("1 " + rain.unit, "m/s");
+  const double gravity = gravity_magnitude(scene);
+  if (!std::holds_alternative<double>(one) || !(gravity > 0)) return;
+  const double conductivity =
+      scene.soils[0].intrinsic_permeability * scene.water->density * gravity / scene.water->viscosity;
+  rain = {rain.variation, rain.label + " / k_s", "1", std::get<double>(one) / conductivity};
+}
+
+std::optional<Abscissa> abscissa(const std::vector<Variation>& variations, const Scene& scene) {
   for (std::size_t v = 0; v < variations.size(); ++v) {
     const auto& values = variations[v].values;
     const bool numbers =
         std::ranges::none_of(values, [](const auto& value) { return number_and_unit(value).number.empty(); });
     const std::string unit = number_and_unit(values.front()).unit;
-    if (numbers && values.size() > 1) return Abscissa{v, unit.empty() ? written_unit(text, variations[v].path) : unit};
+    if (!numbers || values.size() < 2) continue;
+    Abscissa found{v, variations[v].path, unit.empty() ? written_unit(scene.text, variations[v].path) : unit};
+    tell_by_conductivity(scene, found);
+    return found;
   }
   return {};
 }
@@ -105,10 +127,10 @@ Figure figure_of(const Outcome& about, const Abscissa& along, const std::vector<
       id, [](unsigned char c) { return !std::isalnum(c) && c != '_'; }, '-');
   const Variation& varied = variations[along.variation];
   Figure figure =
-      figure_frame({id, about.description, "Outcomes"}, {varied.path, along.unit.empty() ? "1" : along.unit},
+      figure_frame({id, about.description, "Outcomes"}, {along.label, along.unit.empty() ? "1" : along.unit},
                    {about.name.substr(0, about.name.find_first_of("@:")), about.unit});
   std::vector<double> x;
-  for (const std::string& value : varied.values) x.push_back(number_in(value));
+  for (const std::string& value : varied.values) x.push_back(along.scale * number_in(value));
   const auto [low, high] = std::ranges::minmax(x);
   figure.log_x = low > 0 && high / low > 20;
   std::map<std::string, int> curve_of;  // of the other settings
@@ -126,7 +148,7 @@ Figure figure_of(const Outcome& about, const Abscissa& along, const std::vector<
       figure.series.push_back(
           {others.empty() ? "reference" : "reference, " + others, Series::Style::line, {}, {}, curve->second});
     }
-    const double at = number_in(points[i].settings[along.variation].value);
+    const double at = along.scale * number_in(points[i].settings[along.variation].value);
     const auto put = [&](Series& series, double y) {
       if (std::isfinite(y)) series.x.push_back(at), series.y.push_back(y);
     };
@@ -185,7 +207,7 @@ reports::Record vary_page(const std::filesystem::path& scene, const std::vector<
   const std::vector<StudyPoint> points = product(variations);
   record.tables.push_back(points_table(variations, results, points, out));
   record.tables.push_back(outcomes_table(results));
-  if (const auto along = abscissa(variations, record.scene_text))
+  if (const auto along = abscissa(variations, read_scene(scene)))
     for (const Outcome& about : list_of_outcomes(results)) {
       Figure figure = figure_of(about, *along, variations, points, results);
       if (varies(figure)) record.figures.push_back(std::move(figure));
