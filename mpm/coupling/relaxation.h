@@ -1,7 +1,6 @@
 #pragma once
 
 #include "mpm/coupling/elastic_solve.h"
-#include "mpm/coupling/stall_watch.h"
 #include "mpm/skeleton/skeleton_cycle.h"
 
 namespace wetfront::mpm {
@@ -19,7 +18,7 @@ class Relaxer {
     long iterations = 0;      ///< cycles of the skeleton
     double ratio = 0;         ///< out of balance, at the end
     double displacement = 0;  ///< largest of a node [m]
-    bool stalled = false;     ///< got no nearer to equilibrium, but is not so far from it that it has failed
+    bool stalled = false;     ///< ran out of iterations, but not by so much that it has failed
   };
 
   /// Provides its columns and listens to the cycle's forces.
@@ -35,6 +34,9 @@ class Relaxer {
   /// speeds up. In a stage that ends with failure: SkeletonFailed by its FailureCriterion, where the displacement is
   /// that since the beginning of the step.
   Outcome run();
+  /// The same with stress brought back to what the soil bears now, first: for a soil that has become weaker, whose
+  /// stress is still in balance.
+  Outcome run_weakened();
 
  private:
   class Listener;
@@ -44,7 +46,7 @@ class Relaxer {
   bool correct();
   void move_by_cycle();
   [[noreturn]] void give_up(const Outcome& outcome) const;
-  void look_for_failure(Outcome& outcome);
+  void look_for_failure(Outcome& outcome) const;
   /// How far each node with soil has moved, the farthest of them, and 5 % of them at least [m].
   std::vector<double> ways(const std::vector<double>& since) const;
   double moved(const std::vector<double>& since) const;
@@ -59,7 +61,6 @@ class Relaxer {
   double shortest_ = 0;   ///< altitude of a cell [m]
   double strongest_ = 0;  ///< sum |f| that was out of balance at the worst in this relaxation [N]
   long most_iterations_ = 0, crossing_ = 1;
-  StallWatch stall_;
   std::vector<double> start_, step_start_;  ///< displacement when the relaxation and the step of the plan began
   std::array<double, 4> energies_{};        ///< largest kinetic energy of the last wave crossings, newest first [J]
 };

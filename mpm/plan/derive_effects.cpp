@@ -4,6 +4,7 @@
 #include "mpm/coupling/fixed_stress.h"
 #include "mpm/coupling/relaxation.h"
 #include "mpm/coupling/true_time.h"
+#include "mpm/coupling/weakened_rest.h"
 #include "mpm/plan/check_numbers.h"
 #include "mpm/record/motion_ledger.h"
 #include "mpm/record/probes.h"
@@ -56,6 +57,13 @@ void refuse_what_is_not_there_yet(const StagePlan<dim>& plan) {
     throw CannotPlan(where +
                      "updates stress first, with liquid (which reads momenta where velocities are by then). "
                      "Use musl or usl");
+}
+
+template <int dim>
+void join_gravity(StagePlan<dim>& plan) {
+  const Problem<dim>& problem = plan.problem;
+  if (std::any_of(problem.gravity.begin(), problem.gravity.end(), [](double g) { return g != 0; }))
+    plan.join(std::make_unique<Gravity<dim>>(problem.gravity_origin));
 }
 
 template <int dim>
@@ -213,8 +221,7 @@ void check(const Problem<dim>& problem) {
 template <int dim>
 std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size_t stage, Fields<dim>& fields) {
   auto plan = std::make_unique<StagePlan<dim>>(problem, stage, fields);
-  if (std::any_of(problem.gravity.begin(), problem.gravity.end(), [](double g) { return g != 0; }))
-    plan->join(std::make_unique<Gravity<dim>>(problem.gravity_origin));
+  join_gravity(*plan);
   const auto cycle = join_skeleton(*plan);
   join_liquid(*plan, cycle);
   if (cycle != nullptr && plan->stage.motion == SkeletonMotion::dynamic)
@@ -226,9 +233,21 @@ std::unique_ptr<StagePlan<dim>> make_plan(const Problem<dim>& problem, std::size
   return plan;
 }
 
+template <int dim>
+std::unique_ptr<StagePlan<dim>> make_plan_of_weakened_rest(const Problem<dim>& problem, std::size_t stage,
+                                                           Fields<dim>& fields) {
+  auto plan = std::make_unique<StagePlan<dim>>(problem, stage, fields);
+  join_gravity(*plan);
+  plan->join(std::make_unique<WeakenedRest<dim>>(plan->stage.origin, join_skeleton(*plan)));
+  plan->check();
+  return plan;
+}
+
 template void check(const Problem<2>&);
 template void check(const Problem<3>&);
 template std::unique_ptr<StagePlan<2>> make_plan(const Problem<2>&, std::size_t, Fields<2>&);
 template std::unique_ptr<StagePlan<3>> make_plan(const Problem<3>&, std::size_t, Fields<3>&);
+template std::unique_ptr<StagePlan<2>> make_plan_of_weakened_rest(const Problem<2>&, std::size_t, Fields<2>&);
+template std::unique_ptr<StagePlan<3>> make_plan_of_weakened_rest(const Problem<3>&, std::size_t, Fields<3>&);
 
 }  // namespace wetfront::mpm

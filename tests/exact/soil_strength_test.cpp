@@ -10,6 +10,7 @@
 #include "tests/exact/printed.h"
 #include "verification/exact/de_boer.h"
 #include "verification/exact/granular_collapse.h"
+#include "verification/exact/infinite_slope.h"
 #include "verification/exact/terzaghi.h"
 #include "verification/exact/undrained.h"
 
@@ -125,6 +126,34 @@ TEST(DeBoer, SatisfiesItsEquationAndItsLoad) {
   EXPECT_NEAR(-modulus * slope / load(.1), 1, 1e-4);
   EXPECT_EQ(column.displacement(10, .05), 0);  // 91 m/s
   EXPECT_THROW(DeBoerSolution(sand({})), std::invalid_argument);
+}
+
+/// A plane at 30 degrees through dry soil of 34 degrees: tan phi/tan beta; sin phi/tan beta; and F with
+/// sin(atan(tan phi/F)) = tan beta.
+TEST(InfiniteSlope, ThreeFactorsOfADrySlope) {
+  const double beta = 30 * degree, phi = 34 * degree;
+  const PlaneLoad load{std::cos(beta), std::sin(beta), 0};
+  EXPECT_NEAR(limit_safety(load, {phi, 0, 0}), 1.168, 5e-4);
+  EXPECT_NEAR(davis_safety(load, {phi, 0, 0}), 0.969, 5e-4);
+  EXPECT_NEAR(reduced_safety(load, {phi, 0, 0}), std::tan(phi) / std::tan(std::asin(std::tan(beta))), 1e-12);
+  for (const auto safety : {limit_safety, davis_safety, reduced_safety})
+    EXPECT_NEAR(safety(load, {phi, phi, 0}), std::tan(phi) / std::tan(beta), 1e-12);
+  // Soil that shrinks bears less than one that keeps its volume; cohesion alone is divided as it is.
+  EXPECT_LT(davis_safety(load, {phi, -3 * degree, 0}), davis_safety(load, {phi, 0, 0}));
+  EXPECT_NEAR(reduced_safety(load, {0, 0, 1}), 2, 1e-12);
+}
+
+TEST(InfiniteSlope, PressureTakesFrictionAndSuctionGivesIt) {
+  const PlaneLoad load{10, 4, 6};
+  const PlaneStrength soil{0.5, 0, 1};
+  EXPECT_NEAR(limit_safety(load, soil), (1 + 4 * std::tan(0.5)) / 4, 1e-14);
+  EXPECT_NEAR(limit_safety({10, 4, -6}, soil), (1 + 16 * std::tan(0.5)) / 4, 1e-14);
+  EXPECT_NEAR(davis_safety(load, soil), (std::cos(0.5) + 4 * std::sin(0.5)) / 4, 1e-14);
+  EXPECT_NEAR(limit_safety({10, 4, 20}, soil), 0.25, 1e-14);  // pushed apart: cohesion alone
+  // Where Davis' factor is one, so is that of the reduced strength.
+  const PlaneLoad critical{10, std::cos(0.5) + 4 * std::sin(0.5), 6};
+  EXPECT_NEAR(reduced_safety(critical, soil), 1, 1e-12);
+  EXPECT_THROW(limit_safety({1, 0, 0}, soil), std::invalid_argument);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ double flow_number(double friction) {
 
 double davis_factor(double friction, double dilatancy) {
   require_angle(friction);
-  require_angle(dilatancy);
+  require_angle(std::abs(dilatancy));  // < 0: soil that shrinks when sheared
   return std::cos(dilatancy) / (1 - std::sin(dilatancy) * std::sin(friction));
 }
 
