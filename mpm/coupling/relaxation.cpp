@@ -25,6 +25,9 @@ constexpr double safety = 0.8;
 /// Cells along the longest axis for which Relaxation::most_iterations is meant, and the fewest iterations allowed.
 constexpr double cells_of_cap = 100;
 constexpr long fewest = 500;
+/// Motion in a window of StallWatch, over FailureCriterion::displacement, that is no creep: at this pace the criterion
+/// is beyond any number of iterations.
+constexpr double no_creep = 0.01;
 
 }  // namespace
 
@@ -201,6 +204,7 @@ typename Relaxer<dim>::Outcome Relaxer<dim>::run() {
   start_.assign(displacement_->values().begin(), displacement_->values().end());
   energies_ = {};
   strongest_ = 0;
+  stall_.begin(3 * crossing_, no_creep * plan_.stage.failure.displacement);
   clear_velocities();
   Outcome outcome;
   bool elastic = elastic_possible_;
@@ -237,13 +241,14 @@ typename Relaxer<dim>::Outcome Relaxer<dim>::run() {
 }
 
 template <int dim>
-void Relaxer<dim>::look_for_failure(Outcome& outcome) const {
+void Relaxer<dim>::look_for_failure(Outcome& outcome) {
   constexpr long every = 16;  // iterations: a cycle costs far more than this look, but for 16 of them it is nothing
   const FailureCriterion& criterion = plan_.stage.failure;
   const bool out_of_iterations = outcome.iterations >= most_iterations_;
   if (!out_of_iterations && outcome.iterations % every != 0) return;
   const double far = step_start_.empty() ? 0 : slid(step_start_);
-  outcome.stalled = out_of_iterations && outcome.ratio <= criterion.unbalanced_ratio;
+  const bool no_nearer = stall_.stalled(outcome.iterations, outcome.ratio, far) || out_of_iterations;
+  outcome.stalled = no_nearer && outcome.ratio <= criterion.unbalanced_ratio;
   if (far <= criterion.displacement && (!out_of_iterations || outcome.stalled)) return;
   char text[240];
   std::snprintf(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mpm/coupling/elastic_solve.h"
+#include "mpm/coupling/stall_watch.h"
 #include "mpm/skeleton/skeleton_cycle.h"
 
 namespace wetfront::mpm {
@@ -18,7 +19,7 @@ class Relaxer {
     long iterations = 0;      ///< cycles of the skeleton
     double ratio = 0;         ///< out of balance, at the end
     double displacement = 0;  ///< largest of a node [m]
-    bool stalled = false;     ///< ran out of iterations, but not by so much that it has failed
+    bool stalled = false;     ///< got no nearer to equilibrium, but is not so far from it that it has failed
   };
 
   /// Provides its columns and listens to the cycle's forces.
@@ -46,7 +47,7 @@ class Relaxer {
   bool correct();
   void move_by_cycle();
   [[noreturn]] void give_up(const Outcome& outcome) const;
-  void look_for_failure(Outcome& outcome) const;
+  void look_for_failure(Outcome& outcome);
   /// How far each node with soil has moved, the farthest of them, and 5 % of them at least [m].
   std::vector<double> ways(const std::vector<double>& since) const;
   double moved(const std::vector<double>& since) const;
@@ -61,6 +62,7 @@ class Relaxer {
   double shortest_ = 0;   ///< altitude of a cell [m]
   double strongest_ = 0;  ///< sum |f| that was out of balance at the worst in this relaxation [N]
   long most_iterations_ = 0, crossing_ = 1;
+  StallWatch stall_;
   std::vector<double> start_, step_start_;  ///< displacement when the relaxation and the step of the plan began
   std::array<double, 4> energies_{};        ///< largest kinetic energy of the last wave crossings, newest first [J]
 };
