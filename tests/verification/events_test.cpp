@@ -1,4 +1,5 @@
 #include "verification/compare/events.h"
+#include "verification/compare/body_outcomes.h"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,23 @@ TEST(Events, LedgerIsLinearBetweenSteps) {
   const auto ledger = ledger_with_ponding(99, 10);
   EXPECT_DOUBLE_EQ(ledger_at(ledger, &meshes::LedgerRow::rain_asked, 2.5), 5);
   EXPECT_DOUBLE_EQ(ledger_at(ledger, &meshes::LedgerRow::rain_asked, 1e9), 20);
+}
+
+/// A marker that creeps a metre in 100 s, until failure, and slides another one in 10 s.
+TEST(Events, ASlideLastsFromFailureOn) {
+  mpm::Rider marker;
+  marker.name = "D";
+  for (int t = 0; t <= 120; ++t) {
+    marker.time.push_back(t);
+    marker.place.push_back({t <= 100 ? 0.01 * t : 1 + 0.1 * std::min(10, t - 100), 0, 0});
+    marker.velocity.push_back({0, 0, 0});
+  }
+  mpm::BodyRecord body;
+  body.riders = {marker};
+  body.stages = {{"rain", "", 0, 100, "failure", ""}, {"slide", "", 100, 120, "rest", ""}};
+  const auto found = body_outcomes(Scene{}, {}, body);
+  EXPECT_NEAR(value_of(found, "largest_displacement"), 2, 1e-12);
+  EXPECT_NEAR(value_of(found, "slide_duration"), 9, 1);  // rows are one second apart
 }
 
 }  // namespace

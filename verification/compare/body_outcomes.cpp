@@ -56,8 +56,8 @@ class Body {
       }
     add("largest_displacement", "largest displacement of a marker", "m", first ? farthest : never);
     add("largest_velocity", "largest velocity of a marker", "m/s", first ? fastest : never);
-    add("slide_duration", "time of sliding, from 5 to 95 % of the largest displacement", "s",
-        first ? reaches(*first, 0.95 * farthest) - reaches(*first, 0.05 * farthest) : never);
+    add("slide_duration", "time of sliding, from 5 to 95 % of the largest displacement after failure", "s",
+        first ? reaches(*first, 0.95, farthest) - reaches(*first, 0.05, farthest) : never);
     for (const mpm::Rider& rider : body_.riders)
       add("displacement:" + rider.name, "displacement of " + rider.name + " at the end", "m",
           rider.time.empty() ? never : displacement(rider, rider.time.size() - 1));
@@ -67,9 +67,17 @@ class Body {
     return magnitude(
         {rider.place[k][0] - rider.start[0], rider.place[k][1] - rider.start[1], rider.place[k][2] - rider.start[2]});
   }
-  static double reaches(const mpm::Rider& rider, double far) {
-    for (std::size_t k = 0; k < rider.time.size(); ++k)
-      if (displacement(rider, k) >= far) return rider.time[k];
+  /// When a marker has gone this share of the way from where it was at failure: a slope creeps for long before.
+  double reaches(const mpm::Rider& rider, double share, double farthest) const {
+    const double failure = failure_time(body_);
+    double start = 0;
+    for (std::size_t k = 0; k < rider.time.size(); ++k) {
+      if (std::isfinite(failure) && rider.time[k] <= failure) {
+        start = displacement(rider, k);
+        continue;
+      }
+      if (displacement(rider, k) - start >= share * (farthest - start)) return rider.time[k];
+    }
     return never;
   }
 

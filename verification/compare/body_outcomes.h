@@ -14,8 +14,8 @@ namespace wetfront::verification {
 /// A scene in which a body is followed: events end stages, or markers ride on it.
 bool follows_a_body(const Scene& scene);
 
-/// failure_time, slide_duration (5 to 95 % of the largest displacement of the riders), largest_displacement and
-/// largest_velocity of the riders, displacement_p95 over all points, slide_depth (part of the thickness, 1: to the
+/// failure_time, slide_duration (5 to 95 % of the way that the farthest rider goes after failure), largest_displacement
+/// and largest_velocity of the riders, displacement_p95 over all points, slide_depth (part of the thickness, 1: to the
 /// base; above or at 0.5 the slide is deep) and where it lies; arrival, rate of rise and intervals at gauges; the first
 /// rise of any gauge against ponding (wetting_order < 0: the base first).
 std::vector<Outcome> body_outcomes(const Scene& scene, const meshes::FieldHistory& history,
