@@ -69,5 +69,28 @@ TEST(Events, ASlideLastsFromFailureOn) {
   EXPECT_NEAR(value_of(found, "slide_duration"), 9, 1);  // rows are one second apart
 }
 
+/// A skin comes off first and the whole layer of a metre follows: shallow at failure, deep at the end.
+TEST(Events, ASkinThatComesOffFirstIsAShallowFailure) {
+  Scene scene;
+  scene.geometry.shape = GroundProfile{{{0, 10}, {1, 1}}, {{0, 10}, {0, 0}}, 10, 2};
+  mpm::Picture failure, rest;
+  for (double x = 0.5; x < 10; ++x)
+    for (const double y : {0.1, 0.5, 0.9}) {
+      failure.displacement.push_back({y > 0.8 ? 0.1 : 0.001, 0, 0});
+      rest.displacement.push_back({y > 0.3 ? 1.0 : 0, 0, 0});
+      failure.snapshot.points.position.push_back({x + failure.displacement.back()[0], y, 0});
+      rest.snapshot.points.position.push_back({x + rest.displacement.back()[0], y, 0});
+    }
+  failure.of = "failure";
+  rest.of = "rest";
+  mpm::BodyRecord body;
+  body.pictures = {failure, rest};
+  const auto found = body_outcomes(scene, {}, body);
+  EXPECT_NEAR(value_of(found, "failure_depth"), 0.1, 1e-12);
+  EXPECT_NEAR(value_of(found, "slide_depth"), 0.5, 1e-12);
+  EXPECT_EQ(in_words(*find_outcome(found, "failure_depth")), "shallow");
+  EXPECT_EQ(in_words(*find_outcome(found, "slide_depth")), "deep");
+}
+
 }  // namespace
 }  // namespace wetfront::verification

@@ -142,8 +142,8 @@ TEST(Translate, AFieldOfConductivitiesReachesTheCells) {
 }
 
 TEST(Translate, AWaterTableMayFollowTheBase) {
-  const Scene scene = read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) /
-                                 "verification/cases/moriwaki_flume/start_over_base.toml");
+  const Scene scene =
+      read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) / "verification/cases/moriwaki_flume/start_over_base.toml");
   const meshes::Mesh mesh = mpm_mesh(scene);
   const std::vector<double> p = initial_pressure(scene, mesh);
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {

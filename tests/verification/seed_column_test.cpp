@@ -98,7 +98,8 @@ TEST(Explain, ADrySceneHasNoWaterColumnAndNoWaterKernel) {
                 testing::Not(testing::AnyOf(testing::HasSubstr("pressure"), testing::HasSubstr("saturation"),
                                             testing::HasSubstr("liquid"), testing::HasSubstr("water"))));
   for (const auto& kernel : dry.kernels)
-    EXPECT_THAT(kernel.effect, testing::AnyOf("gravity", "deforming skeleton", "fixities", "material points", "probes"));
+    EXPECT_THAT(kernel.effect,
+                testing::AnyOf("gravity", "deforming skeleton", "fixities", "material points", "probes"));
 }
 
 }  // namespace

@@ -81,25 +81,39 @@ class Body {
     return never;
   }
 
-  /// From the last picture: how deep and where the slide is.
+  /// How deep and where the slide is at its end; and what had moved when the slope failed, which tells a skin that
+  /// comes off from a layer that goes.
   void slide() {
-    std::vector<double> moved, depths, places;
     const mpm::Picture* last = body_.pictures.empty() ? nullptr : &body_.pictures.back();
-    const bool known = last != nullptr && !last->displacement.empty() && scene_.geometry.dim() == 2;
-    if (known)
-      for (const meshes::Point& d : last->displacement) moved.push_back(magnitude(d));
-    const double farthest = moved.empty() ? never : std::ranges::max(moved);
-    for (std::size_t p = 0; p < moved.size(); ++p) {
-      if (moved[p] < sliding * farthest) continue;
-      const meshes::Point &x = last->snapshot.points.position[p], &d = last->displacement[p];
+    const auto failed = std::ranges::find(body_.pictures, "failure", &mpm::Picture::of);
+    const Moved at_end = moved_in(last), at_failure = moved_in(failed == body_.pictures.end() ? nullptr : &*failed);
+    add("failure_depth", "depth of what had moved at failure over the thickness (1: to the base)", "-",
+        percentile(at_failure.depths, 0.95));
+    add("failure_from", "foot of what had moved at failure", "m", percentile(at_failure.places, 0.05));
+    add("failure_to", "head of what had moved at failure", "m", percentile(at_failure.places, 0.95));
+    add("displacement_p95", "displacement that 95 % of the points stay below", "m", percentile(at_end.ways, 0.95));
+    add("slide_depth", "depth of the slide over the thickness (1: to the base)", "-", percentile(at_end.depths, 0.95));
+    add("slide_from", "foot of the slide", "m", percentile(at_end.places, 0.05));
+    add("slide_to", "head of the slide", "m", percentile(at_end.places, 0.95));
+  }
+
+  struct Moved {
+    std::vector<double> ways;            ///< of all points [m]
+    std::vector<double> depths, places;  ///< of those that went along: over the thickness [-], x at the start [m]
+  };
+  Moved moved_in(const mpm::Picture* picture) const {
+    Moved found;
+    if (picture == nullptr || picture->displacement.empty() || scene_.geometry.dim() != 2) return found;
+    for (const meshes::Point& d : picture->displacement) found.ways.push_back(magnitude(d));
+    const double farthest = std::ranges::max(found.ways);
+    for (std::size_t p = 0; p < found.ways.size(); ++p) {
+      if (found.ways[p] < sliding * farthest) continue;
+      const meshes::Point &x = picture->snapshot.points.position[p], &d = picture->displacement[p];
       const double from = x[0] - d[0], top = surface_at(scene_.geometry, from), base = base_at(scene_.geometry, from);
-      depths.push_back((top - x[1] + d[1]) / (top - base));
-      places.push_back(from);
+      found.depths.push_back((top - x[1] + d[1]) / (top - base));
+      found.places.push_back(from);
     }
-    add("displacement_p95", "displacement that 95 % of the points stay below", "m", percentile(moved, 0.95));
-    add("slide_depth", "depth of the slide over the thickness (1: to the base)", "-", percentile(depths, 0.95));
-    add("slide_from", "foot of the slide", "m", percentile(places, 0.05));
-    add("slide_to", "head of the slide", "m", percentile(places, 0.95));
+    return found;
   }
 
   void gauges() {
@@ -143,7 +157,8 @@ std::vector<Outcome> body_outcomes(const Scene& scene, const meshes::FieldHistor
 
 std::string in_words(const Outcome& outcome) {
   if (std::isnan(outcome.value)) return "";
-  if (outcome.name == "slide_depth") return outcome.value >= 0.5 ? "deep" : "shallow";
+  if (outcome.name == "slide_depth" || outcome.name == "failure_depth")
+    return outcome.value >= 0.5 ? "deep" : "shallow";
   if (outcome.name == "wetting_order") return outcome.value < 0 ? "base first" : "surface first";
   return "";
 }

@@ -209,6 +209,8 @@ reports::Record vary_page(const std::filesystem::path& scene, const std::vector<
   record.tables.push_back(outcomes_table(results));
   if (const auto along = abscissa(variations, read_scene(scene)))
     for (const Outcome& about : list_of_outcomes(results)) {
+      if (about.name.starts_with("interval:") && about.value < 0)
+        continue;  // the pair stands there the other way round
       Figure figure = figure_of(about, *along, variations, points, results);
       if (varies(figure)) record.figures.push_back(std::move(figure));
     }
