@@ -16,8 +16,9 @@ std::string figure_csv(const Figure& figure) {
   std::size_t rows = 0;
   for (const Series& series : figure.series) {
     if (!text.empty()) text += ',';
-    text += csv_cell(series.label + ": " + label_with_unit(figure.x_label, figure.x_unit)) + ',' +
-            csv_cell(series.label + ": " + label_with_unit(figure.y_label, figure.y_unit));
+    const std::string of = series.label.empty() ? "" : series.label + ": ";
+    text += csv_cell(of + label_with_unit(figure.x_label, figure.x_unit)) + ',' +
+            csv_cell(of + label_with_unit(figure.y_label, figure.y_unit));
     rows = std::max(rows, series.x.size());
   }
   text += '\n';

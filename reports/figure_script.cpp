@@ -90,14 +90,19 @@ std::string point_style(int index) {
          colour_of(index) + "'";
 }
 
-/// Drawn by hand below the plot: gnuplot's own key reserves widths for a font it does not have.
+/// Drawn by hand below the plot: gnuplot's own key reserves widths for a font it does not have. A series without a
+/// label has no entry.
 void write_legend(std::ostream& out, const Figure& figure, const FigureLayout& layout) {
   const std::vector<int> indices = palette_indices(figure);
   const double column = FigureLayout::plot_width / static_cast<double>(layout.legend_columns);
+  std::size_t entry = 0;
   for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    const double x = FigureLayout::left + column * static_cast<double>(s % layout.legend_columns);
-    const double y = layout.bottom() + axis_strip + legend_line * static_cast<double>(s / layout.legend_columns) + 4;
     const Series& series = figure.series[s];
+    if (series.label.empty()) continue;
+    const double x = FigureLayout::left + column * static_cast<double>(entry % layout.legend_columns);
+    const double y =
+        layout.bottom() + axis_strip + legend_line * static_cast<double>(entry / layout.legend_columns) + 4;
+    ++entry;
     if (series.style == Series::Style::points)
       out << "set label '' at " << at(layout, x + sample / 2 - 3, y) << " point " << point_style(indices[s]) << "\n";
     else
@@ -133,13 +138,16 @@ FigureLayout lay_out(const Figure& figure) {
   FigureLayout layout;
   layout.title_lines = lines_of(figure.title, 62);
   layout.note_lines = lines_of(figure.note, 80);
-  std::size_t longest = 1;
-  for (const Series& series : figure.series) longest = std::max(longest, characters(series.label));
+  std::size_t longest = 1, entries = 0;
+  for (const Series& series : figure.series) {
+    longest = std::max(longest, characters(series.label));
+    entries += series.label.empty() ? 0 : 1;
+  }
   const double column = sample + gap + character * static_cast<double>(longest);
   layout.legend_columns = std::clamp<std::size_t>(static_cast<std::size_t>(FigureLayout::plot_width / column), 1, 4);
   // Reference and candidate come in pairs, which three columns would tear apart.
-  if (layout.legend_columns == 3 && figure.series.size() % 2 == 0) layout.legend_columns = 2;
-  layout.legend_rows = (figure.series.size() + layout.legend_columns - 1) / layout.legend_columns;
+  if (layout.legend_columns == 3 && entries % 2 == 0) layout.legend_columns = 2;
+  layout.legend_rows = (entries + layout.legend_columns - 1) / layout.legend_columns;
   layout.top = 8 + title_line * static_cast<double>(layout.title_lines.size()) +
                note_line * static_cast<double>(layout.note_lines.size()) + (figure.shaded.empty() ? 10 : 20);
   layout.height = std::ceil(layout.bottom() + axis_strip + legend_line * static_cast<double>(layout.legend_rows) + 2);

@@ -73,7 +73,7 @@
           const x = this.px.pixel(series.x[i]), y = this.py.pixel(series.y[i]);
           if (!(x >= left - 1 && x <= right + 1 && y >= top - 1 && y <= bottom + 1)) continue;
           const d = (x - p.x) ** 2 + (y - p.y) ** 2;
-          if (d < distance) { distance = d; best = {series, i, x, y}; }
+          if (d < distance || (best && d === distance && !best.series.label)) { distance = d; best = {series, i, x, y}; }
         }
       return best;
     }

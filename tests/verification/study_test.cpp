@@ -1,5 +1,6 @@
 // Studies as a user meets them: points side by side, a killed study resumed without computing finished points again,
 // job arrays, and the choice of a setting by a stored study of accuracy.
+#include "reports/write.h"
 #include "tests/verification/program.h"
 #include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
@@ -212,9 +213,107 @@ TEST(Effects, NeedIsChangeAgainstToleranceAndDoubt) {
   EXPECT_EQ(overall_need({}), Need::unknown);
 }
 
-TEST(Effects, EightOrMoreAreTriedOnARigidColumn) {
+/// A run that was refused says nothing of its effect: it is not an event that "happens only with it".
+TEST(Effects, ARefusedRunIsNoEvidence) {
+  const Scene scene = read_scene(seed);
+  PointResult base, refused;
+  base.candidate = {{"stored_water@0", "stored water", "m", 1}};
+  refused.exit = static_cast<int>(Exit::bad_input);
+  EXPECT_TRUE(influences(scene, base, base, refused).empty());
+  refused.exit = static_cast<int>(Exit::gave_up);
+  EXPECT_TRUE(influences(scene, base, base, refused).empty());
+  refused.exit = static_cast<int>(Exit::pass);
+  EXPECT_EQ(overall_need(influences(scene, base, base, refused)), Need::needed) << "the outcome no longer happens";
+}
+
+/// Every change is a scene that can be read: the settings lead somewhere and the reader has no complaint.
+TEST(Effects, EightOrMoreAreTriedOnColumnsAndSlopes) {
+  for (const char* name : {"seed_column/scene_7.5e-5", "deforming_column/seepage", "small_slope/scene"}) {
+    const std::string path = std::string(WETFRONT_SOURCE_DIR "/verification/cases/") + name + ".toml";
+    const auto changes = effect_changes(read_scene(path));
+    EXPECT_GE(changes.size(), 8u + 2u) << name;
+    for (const EffectChange& change : changes) {
+      if (!change.by_nature.empty()) continue;  // a rigid skeleton has no failure: refused, and needed all the same
+      EXPECT_NO_THROW(read_scene(path, change.point.settings)) << change.point.name;
+    }
+  }
+}
+
+/// What is too dear for the scene's cells is tried on larger ones, against the scene on the same.
+TEST(Effects, DearOnesAreTriedOnLargerCells) {
   const Scene scene = read_scene(WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_7.5e-5.toml");
-  EXPECT_GE(effect_changes(scene).size(), 8u + 2u);
+  const auto all = effect_changes(scene), changes = affordable(scene, all, 20);
+  ASSERT_GT(changes.size(), all.size());
+  const EffectChange& drag = changes[3];
+  EXPECT_EQ(drag.effect, "water and skeleton with velocities of their own");
+  EXPECT_EQ(drag.cells, 0.25);
+  ASSERT_LT(drag.base, changes.size());
+  EXPECT_TRUE(changes[drag.base].how.empty());
+  EXPECT_EQ(changes[drag.base].cells, 0.25);
+  EXPECT_EQ(changes[2].base, 0u) << "what is cheap is tried on the scene's own cells";
+}
+
+TEST(Accuracy, DearSchemesAreTriedInAWindow) {
+  const std::string path = WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_7.5e-5.toml";
+  const Scene scene = read_scene(path);
+  const auto points = window_points(scene, 20);
+  std::map<std::string, std::map<std::string, int>> settings_of;  // window, scheme
+  for (const AccuracyPoint& one : points) {
+    ++settings_of[one.window][one.curve];
+    const Scene in_window = read_scene(path, one.point.settings);  // no complaint
+    ASSERT_EQ(in_window.stages.size(), 2u);
+    const Timeline times = timeline(in_window);
+    EXPECT_EQ(times.comparison_times.size(), 1u);
+    EXPECT_EQ(times.comparison_times.back(), times.stage_end.back());
+    if (one.cells == 4 && (one.curve == "implicit-drag" || one.curve == "explicit"))  // the dearest of its window
+      EXPECT_LE(expected_cpu(path, one.point), 20) << one.point.name;
+  }
+  ASSERT_EQ(settings_of.size(), 2u) << "of implicit and of explicit drag";
+  for (const auto& [window, schemes] : settings_of) {
+    EXPECT_GE(schemes.size(), 4u) << window;
+    for (const auto& [scheme, count] : schemes) EXPECT_EQ(count, 5) << window << ' ' << scheme;
+  }
+  EXPECT_TRUE(window_points(scene, 1e9).empty()) << "nothing is too dear";
+}
+
+/// What a stored study is for: two accuracies, two settings, both reached when they are run.
+TEST_F(Study, AccuraciesChooseTheirSettings) {
+  const std::string scene = WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_7.5e-5.toml";
+  ASSERT_EQ(wetfront("study accuracy " + scene + " --budget 0.3 --out acc").code, 0);
+  std::map<double, std::string> chosen;
+  for (const double accuracy : {0.01, 0.001}) {
+    const std::string out = "run_" + std::to_string(accuracy);
+    const Output run =
+        wetfront("run " + scene + " --accuracy " + std::to_string(accuracy) + " --study acc --out " + out);
+    EXPECT_THAT(run.text, HasSubstr("the cheapest that reaches it is '"));
+    chosen[accuracy] = reports::read_result(folder / out / "result.json").scene_text;
+    double worst = 0;
+    for (const auto& finding : reports::read_result(folder / out / "result.json").findings)
+      if (finding.quantity == "pressure_l2") worst = std::max(worst, finding.error + finding.reference_bound);
+    EXPECT_GT(worst, 0);
+    EXPECT_LE(worst, accuracy);
+  }
+  EXPECT_NE(chosen[0.01], chosen[0.001]);
+}
+
+TEST_F(Study, DifferencesAreExplained) {
+  const Output output = wetfront("study difference " + seed + " --out why");
+  EXPECT_THAT(output.text, HasSubstr("Where the differences come from"));
+  EXPECT_THAT(output.text, HasSubstr("boundary flux"));
+  const reports::Record record = reports::read_result(folder / "why/result.json");
+  EXPECT_TRUE(std::ranges::any_of(record.findings, [](const auto& one) { return one.group == "Difference ledger"; }));
+}
+
+/// Ten cells miss the gates on the fields: where, is listed and written.
+TEST_F(Study, AFailingCaseTellsItsWorstPoints) {
+  const Output output = wetfront("run " + seed + " --set geometry.column.cells=10 --out coarse");
+  EXPECT_EQ(output.code, 1) << output.text;
+  EXPECT_TRUE(fs::exists(folder / "coarse/fields/worst_points.pvd"));
+  EXPECT_TRUE(fs::exists(folder / "coarse/fields/worst_points_0000.vtu"));
+  const reports::Record record = reports::read_result(folder / "coarse/result.json");
+  const auto table = std::ranges::find(record.tables, std::string("Worst points"), &reports::Table::section);
+  ASSERT_NE(table, record.tables.end());
+  EXPECT_EQ(table->rows.size(), 10u);
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -99,7 +101,8 @@ int study_accuracy(const StudyRequest& request, double budget) {
   if (!scene.reference)
     throw SceneError(
         {request.scene.string() + ":1:1: the scene has no reference (errors could not be told). Add [reference]."});
-  const auto points = accuracy_points(scene);
+  auto points = accuracy_points(scene);
+  std::ranges::move(window_points(scene, budget), std::back_inserter(points));
   Kind kind;
   kind.name = "accuracy";
   for (const AccuracyPoint& one : points) kind.points.push_back(one.point);
@@ -115,11 +118,12 @@ int study_accuracy(const StudyRequest& request, double budget) {
 
 int study_effects(const StudyRequest& request, double budget) {
   const Scene scene = read_scene(request.scene);
-  const auto changes = effect_changes(scene);
+  const auto changes = affordable(scene, effect_changes(scene), budget);
   Kind kind;
   kind.name = "effects";
   for (const EffectChange& change : changes) kind.points.push_back(change.point);
-  kind.what = fmt::format("{} effects", changes.size() - 2);  // the scene itself and its finer cells are none
+  kind.what = fmt::format("{} effects",
+                          std::ranges::count_if(changes, [](const EffectChange& one) { return !one.how.empty(); }));
   kind.before = [&] {
     if (scene.reference) solve_references(scene, timeline(scene), request.store);
   };
@@ -136,7 +140,7 @@ int study_effects(const StudyRequest& request, double budget) {
 int study_difference(const StudyRequest& request) {
   const Scene scene = read_scene(request.scene);
   const auto out = folder_for("difference", request);
-  const RunResult result = run_scene(scene, out, {request.store, 0, false, true, {}});
+  const RunResult result = run_scene(scene, out, {.store = request.store, .ledger = true});
   for (const auto& table : result.record.tables)
     if (table.section == "Difference ledger") {
       fmt::print("{}. {}\n", table.title, table.caption);

@@ -137,6 +137,23 @@ std::vector<double> cell_means(const meshes::Mesh& mesh, const PointData& data, 
   return sum;
 }
 
+/// The points themselves, in the units of a history. Only their elevation counts: they are put on the column's axis.
+meshes::PointCloud cloud_of(const ForeignResult& result, const PointData& data, const meshes::Mesh& mesh,
+                            const std::filesystem::path& file) {
+  const auto in_our_unit = [&](const ForeignField& field) {
+    std::vector<double> values = array_of(data, field.array, file);
+    for (double& value : values) value *= field.factor;
+    return values;
+  };
+  meshes::PointCloud cloud{data.position, in_our_unit(result.pressure), in_our_unit(result.saturation)};
+  const meshes::Point centre = mesh.cell_centre(0);
+  for (meshes::Point& place : cloud.position)
+    for (int axis = 0; axis < 3; ++axis)
+      if (axis != meshes::up_axis(mesh.dim))
+        place[static_cast<std::size_t>(axis)] = centre[static_cast<std::size_t>(axis)];
+  return cloud;
+}
+
 std::vector<double> at_nodes(const meshes::Mesh& mesh, const std::vector<double>& cells) {
   std::vector<double> sum(mesh.node_count(), 0), count(mesh.node_count(), 0);
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
@@ -173,6 +190,7 @@ meshes::FieldHistory foreign_history(const ForeignResult& result, const Scene& s
                                     result.pressure, snapshot.file);
     kept.cell_saturation = cell_means(out.mesh, data, array_of(data, result.saturation.array, snapshot.file),
                                       result.saturation, snapshot.file);
+    kept.points = cloud_of(result, data, out.mesh, snapshot.file);
     kept.node_pressure = at_nodes(out.mesh, kept.cell_pressure);
     kept.node_saturation = at_nodes(out.mesh, kept.cell_saturation);
     double stored = 0;

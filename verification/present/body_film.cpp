@@ -4,6 +4,9 @@
 #include "verification/compare/magnitude.h"
 #include "verification/present/contours.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace wetfront::verification {
 namespace {
 
@@ -48,12 +51,43 @@ bool has_water(const std::vector<mpm::Picture>& pictures) {
   return true;
 }
 
+/// Where the points began; nothing where that was not kept.
+std::vector<meshes::Point> beginnings(const mpm::Picture& picture) {
+  std::vector<meshes::Point> places = picture.snapshot.points.position;
+  if (picture.displacement.size() != places.size()) return {};
+  for (std::size_t p = 0; p < places.size(); ++p)
+    for (std::size_t axis = 0; axis < 2; ++axis) places[p][axis] -= picture.displacement[p][axis];
+  return places;
+}
+
+/// The body under the rain, before the first of its pictures: the fields that are compared hold its points. They must
+/// have the order that they have in the picture, which they lose only once they change their cells: none may have left
+/// its place by a fifth of a cell.
+std::vector<mpm::Picture> under_rain(const meshes::FieldHistory& history, const mpm::Picture& first) {
+  const std::vector<meshes::Point> began = beginnings(first);
+  if (began.empty()) return {};
+  const double near = 0.2 * std::sqrt(history.mesh.cell_measure(0));
+  std::vector<mpm::Picture> pictures;
+  for (const meshes::Snapshot& snapshot : history.snapshots) {
+    const auto& places = snapshot.points.position;
+    if (!(snapshot.time < first.snapshot.time) || places.size() != began.size()) continue;
+    mpm::Picture picture{snapshot, "", {}};
+    for (std::size_t p = 0; p < places.size(); ++p)
+      picture.displacement.push_back({places[p][0] - began[p][0], places[p][1] - began[p][1], 0});
+    if (std::ranges::all_of(picture.displacement, [&](const meshes::Point& moved) { return magnitude(moved) < near; }))
+      pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
 }  // namespace
 
 std::vector<reports::Film> body_films(const Scene& scene, const meshes::FieldHistory& history,
                                       const mpm::BodyRecord& body) {
   if (history.mesh.dim != 2 || body.pictures.size() < 2) return {};
-  const bool wet = scene.water.has_value() && has_water(body.pictures);
+  std::vector<mpm::Picture> pictures = under_rain(history, body.pictures.front());
+  pictures.insert(pictures.end(), body.pictures.begin(), body.pictures.end());
+  const bool wet = scene.water.has_value() && has_water(pictures);
   reports::Film heading;
   heading.id = "body";
   heading.title = "The body in motion";
@@ -62,12 +96,12 @@ std::vector<reports::Film> body_films(const Scene& scene, const meshes::FieldHis
   if (wet) heading.channels.insert(heading.channels.end(), {{"pore pressure", "kPa"}, {"degree of saturation", "1"}});
   heading.ground = {outline(history.mesh)};
   std::vector<reports::FilmMoment> moments;
-  for (const mpm::Picture& picture : body.pictures) {
+  for (const mpm::Picture& picture : pictures) {
     if (!moments.empty() && picture.snapshot.time == moments.back().time) {  // an event's, beside one of the series
       if (!picture.of.empty()) moments.back().label = picture.of;
       continue;
     }
-    moments.push_back(moment_of(picture, body.pictures.front(), wet));
+    moments.push_back(moment_of(picture, pictures.front(), wet));
   }
   return {reports::make_film(std::move(heading), std::move(moments))};
 }

@@ -52,6 +52,11 @@ Series points_over_height(const meshes::PointCloud& points, const std::vector<do
   return series;
 }
 
+/// What the candidate is called: another code by its own name.
+std::string name_of(const meshes::FieldHistory& candidate) {
+  return candidate.solver.empty() || candidate.solver.starts_with("mpm") ? "MPM" : candidate.solver;
+}
+
 std::string errors_at(const std::vector<Measurement>& measurements, const std::string& quantity) {
   std::string text;
   for (const Measurement& m : measurements)
@@ -92,7 +97,7 @@ Figure profile(const Field& field, const Timeline& timeline, const Histories& hi
     Series reference = line_over_height(histories.reference, histories.reference.snapshots[t].*field.nodal, field.unit);
     reference.label = "reference, " + at;
     Series candidate = points_over_height(snapshot.points, snapshot.points.*field.at_points, field.unit);
-    candidate.label = "MPM points, " + at;
+    candidate.label = name_of(histories.candidate) + " points, " + at;
     reference.colour = candidate.colour = static_cast<int>(t);
     figure.series.push_back(std::move(reference));
     figure.series.push_back(std::move(candidate));
@@ -101,9 +106,10 @@ Figure profile(const Field& field, const Timeline& timeline, const Histories& hi
 }
 
 Figure error_profile(const Histories& histories, const Timeline& timeline) {
-  Figure figure =
-      figure_frame({"pressure_difference", "Pressure difference in the cells, MPM minus reference", "Profiles"},
-                   {"pressure difference", "kPa"}, {"elevation", "m"});
+  Figure figure = figure_frame(
+      {"pressure_difference", "Pressure difference in the cells, " + name_of(histories.candidate) + " minus reference",
+       "Profiles"},
+      {"pressure difference", "kPa"}, {"elevation", "m"});
   const auto candidate = cell_profiles(histories.candidate);
   const auto reference = profiles_at_cells(histories.reference, histories.candidate);
   for (std::size_t t = 0; t < std::min(candidate.size(), reference.size()); ++t) {
@@ -177,12 +183,13 @@ Figure ledger_figure(const meshes::FieldHistory& history, double area, const std
 Figure infiltration_figure(const Histories& histories, double area, double reference_area) {
   Figure figure = figure_frame({"cumulative_infiltration", "Cumulative infiltration and outflow", "Flux audit"},
                                {"time", "s"}, {"water per area", "mm"});
+  const std::string who = name_of(histories.candidate);
   const auto infiltrated = [](const meshes::LedgerRow& row) { return row.infiltrated; };
   const auto outflow = [](const meshes::LedgerRow& row) { return row.outflow; };
   figure.series.push_back(ledger_series(histories.reference, reference_area, "reference, infiltrated", infiltrated));
-  figure.series.push_back(ledger_series(histories.candidate, area, "MPM, infiltrated", infiltrated));
+  figure.series.push_back(ledger_series(histories.candidate, area, who + ", infiltrated", infiltrated));
   figure.series.push_back(ledger_series(histories.reference, reference_area, "reference, outflow", outflow));
-  figure.series.push_back(ledger_series(histories.candidate, area, "MPM, outflow", outflow));
+  figure.series.push_back(ledger_series(histories.candidate, area, who + ", outflow", outflow));
   for (int i : {1, 3}) figure.series[i].style = Series::Style::dashed;
   for (int i = 0; i < 4; ++i) figure.series[i].colour = i / 2;
   return figure;
@@ -217,6 +224,7 @@ void add_motion(std::vector<Figure>& all, const meshes::FieldHistory& history) {
 std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const Histories& histories,
                             const std::vector<Measurement>& measurements) {
   std::vector<Figure> all;
+  const std::string who = name_of(histories.candidate);
   const double area = std::max(rain_area(scene, histories.candidate.mesh), 1e-300);
   if (std::holds_alternative<Column>(scene.geometry.shape)) {
     for (const Field& field : column_fields()) {
@@ -230,14 +238,14 @@ std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const 
   add_motion(all, histories.candidate);
   Figure gauges = gauge_figure();
   add_gauges(gauges, histories.reference, "reference", Series::Style::line);
-  add_gauges(gauges, histories.candidate, "MPM", Series::Style::dashed);
+  add_gauges(gauges, histories.candidate, who, Series::Style::dashed);
   if (!gauges.series.empty()) all.push_back(std::move(gauges));
   if (!scene.rains.empty()) {
     all.push_back(infiltration_figure(histories, area, std::max(rain_area(scene, histories.reference.mesh), 1e-300)));
-    all.push_back(ledger_figure(histories.candidate, area, "MPM"));
+    all.push_back(ledger_figure(histories.candidate, area, who));
   }
   Figure steps = step_figure();
-  steps.series = {step_series(histories.reference, "reference"), step_series(histories.candidate, "MPM")};
+  steps.series = {step_series(histories.reference, "reference"), step_series(histories.candidate, who)};
   all.push_back(std::move(steps));
   return all;
 }

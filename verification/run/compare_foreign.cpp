@@ -6,6 +6,7 @@
 #include "verification/present/figures.h"
 #include "verification/present/reference_error_table.h"
 #include "verification/present/tables.h"
+#include "verification/present/worst_points.h"
 #include "verification/run/provenance.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace wetfront::verification {
 namespace {
@@ -66,11 +68,14 @@ RunResult compare_foreign(const Scene& scene, const ForeignResult& foreign, cons
   if (const std::string text = looks_wrong(histories.candidate, histories.reference); !text.empty())
     record.findings.insert(record.findings.begin(), hint(text));
   record.figures = figures(scene, times, histories, measurements);
+  WorstPoints worst = worst_points(record.findings, measurements, histories);
+  std::ranges::move(worst.tables, std::back_inserter(record.tables));
   record.tables.push_back(reference_error_table(measurements));
   add_ledger(record, difference_ledger({scene, times, result.candidate.history, *result.reference, {}, store}));
   record.verdict = overall(record.findings);
   result.exit = exit_for(record.verdict);
   reports::write_result(record, folder);
+  reports::write_fields(worst.files, folder);
   return result;
 }
 

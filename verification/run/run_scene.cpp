@@ -18,6 +18,7 @@
 #include "verification/present/side_table.h"
 #include "verification/present/slide_figures.h"
 #include "verification/present/tables.h"
+#include "verification/present/worst_points.h"
 #include "verification/run/finer_cells.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
@@ -30,6 +31,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
 namespace wetfront::verification {
 namespace {
@@ -130,6 +132,9 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   for (Measurement& own : measure_motion(result.candidate.history, failure)) measurements.push_back(std::move(own));
   record.findings = judge(prepared.scene, window, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
+  WorstPoints worst = worst_points(record.findings, measurements, cut ? *cut : histories);
+  std::ranges::move(worst.tables, std::back_inserter(record.tables));
+  result.worst_points = std::move(worst.files);
   std::erase_if(histories.candidate.snapshots, [failure](const auto& one) { return one.time > failure; });
   record.figures = figures(prepared.scene, window, histories, measurements);
   record.pictures = field_pictures(histories);
@@ -290,6 +295,7 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
   auto files = field_files(result.candidate.history, "mpm");
   if (result.reference)
     for (auto& file : field_files(result.reference->reference.history, "reference")) files.push_back(std::move(file));
+  std::ranges::move(result.worst_points, std::back_inserter(files));
   reports::write_fields(files, folder);
   std::ofstream(folder / "scene.toml") << scene.text;
   return result;

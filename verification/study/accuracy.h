@@ -15,14 +15,20 @@ namespace wetfront::verification {
 /// A point of the study and where it belongs on the figures.
 struct AccuracyPoint {
   StudyPoint point;
-  std::string curve;  ///< "seepage, bdf2"; points of one curve differ in their cells alone
-  double cells = 1;   ///< cells per direction over the scene's
+  std::string curve;     ///< "seepage, bdf2"; points of one curve differ in their cells alone
+  double cells = 1;      ///< cells per direction over the scene's
+  std::string window{};  ///< "from 163 s to 165 s"; empty: the whole scene
 };
 
 /// Schemes (of the last stage) x cells from a quarter to four times the scene's; on the scene's cells also tolerances
 /// of the time integration and points per cell; shape functions where the skeleton moves. Names and settings only:
 /// nothing is meshed. Throws SceneError for a mesh of the user's own.
 std::vector<AccuracyPoint> accuracy_points(const Scene& scene);
+
+/// Of every scheme that is too dear for the whole scene on its finest cells: a window of time up to the last comparison
+/// time in which it is not, and in that window the scheme and all cheaper ones on the same cells, after seepage up to
+/// the window. None where the last stage is not seepage on a rigid skeleton. Plans the finest cells of each scheme.
+std::vector<AccuracyPoint> window_points(const Scene& scene, double budget);
 
 /// Largest error of a quantity over the comparison times and probes, in the quantity's unit; NaN where it was not
 /// measured.

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 
 namespace wetfront::verification {
 namespace {
@@ -19,8 +19,19 @@ using reports::Figure;
 using reports::Series;
 
 /// Quantities that are errors of the discretisation: balances are not.
-constexpr const char* studied[] = {"pressure_l2",  "saturation_l2", "front_position", "cumulative_infiltration",
-                                   "ponding_time", "arrival_time",  "rise_rate"};
+struct Studied {
+  const char *quantity, *name;
+};
+constexpr Studied studied[] = {{"pressure_l2", "pore pressure (relative L2)"},
+                               {"saturation_l2", "saturation (relative L2)"},
+                               {"front_position", "wetting front"},
+                               {"cumulative_infiltration", "water taken in"},
+                               {"ponding_time", "time of ponding"},
+                               {"arrival_time", "arrival at the probes"},
+                               {"rise_rate", "rate of rise at the probes"}};
+
+/// Below it an error is round-off, and a figure of it says nothing.
+constexpr double round_off = 1e-9;
 
 bool in_metres(const std::string& quantity) {
   return find_quantity(quantity)->unit == "m";
@@ -28,74 +39,125 @@ bool in_metres(const std::string& quantity) {
 
 std::string percent_or_metres(double value, const std::string& quantity) {
   if (std::isnan(value)) return "-";
+  if (std::abs(value) < round_off) return "round-off";
   return in_metres(quantity) ? fmt::format("{:.3g} mm", 1e3 * value) : fmt::format("{:.3g} %", 100 * value);
 }
 
 struct Study {
-  const std::vector<AccuracyPoint>& points;
-  const std::vector<PointResult>& results;
+  std::vector<AccuracyPoint> points;
+  std::vector<PointResult> results;
+  std::vector<std::size_t> number;  ///< of each point in the whole study
 };
 
-Figure work_precision(const Study& study, const std::string& quantity, const std::vector<ReferenceCost>& reference) {
-  const bool metres = in_metres(quantity);
-  Figure figure = figure_frame({"work_" + quantity, "Error over CPU seconds: " + quantity, "Cost"},
-                               {"CPU of the MPM", "s"}, {"largest error", metres ? "m" : "1"});
-  figure.log_x = figure.log_y = true;
-  std::vector<std::string> names;
-  std::map<std::string, Series> curves;
-  for (std::size_t i = 0; i < study.points.size(); ++i) {
-    const double error = error_of(study.results[i], quantity);
-    if (!(error > 0) || !std::isfinite(error) || !(study.results[i].candidate_cpu > 0)) continue;
-    const std::string& name = study.points[i].curve;
-    if (!curves.contains(name)) {
-      names.push_back(name);
-      curves[name] = {name, Series::Style::points, {}, {}, static_cast<int>(names.size()) - 1};
+/// The points of one window; of the whole scene: "".
+Study part_of(const std::vector<AccuracyPoint>& points, const std::vector<PointResult>& results,
+              const std::string& window) {
+  Study part;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].window == window) {
+      part.points.push_back(points[i]);
+      part.results.push_back(results[i]);
+      part.number.push_back(i);
     }
-    curves[name].x.push_back(study.results[i].candidate_cpu);
-    curves[name].y.push_back(error);
+  return part;
+}
+
+std::vector<std::string> windows_of(const std::vector<AccuracyPoint>& points) {
+  std::vector<std::string> windows;
+  for (const AccuracyPoint& point : points)
+    if (!point.window.empty() && std::ranges::find(windows, point.window) == windows.end())
+      windows.push_back(point.window);
+  return windows;
+}
+
+/// One curve per scheme, by cells or by what else was changed; `reference`: its own, or none.
+Figure work_precision(const Study& study, const Studied& about, const std::vector<ReferenceCost>& reference) {
+  const std::string quantity = about.quantity;
+  Figure figure =
+      figure_frame({"work_" + quantity, std::string("Error over CPU seconds: ") + about.name, "Error over cost"},
+                   {"CPU of the MPM", "s"}, {std::string("error of ") + about.name, in_metres(quantity) ? "m" : "1"});
+  figure.log_x = figure.log_y = true;
+  std::vector<Series> curves;
+  for (std::size_t i = 0; i < study.points.size(); ++i) {
+    const double error = error_of(study.results[i], quantity), cost = study.results[i].candidate_cpu;
+    if (!(error > round_off) || !std::isfinite(error) || !(cost > 0)) continue;
+    const std::string& name = study.points[i].curve;
+    auto curve = std::ranges::find(curves, name, &Series::label);
+    if (curve == curves.end())
+      curve = curves.insert(curve, {name, Series::Style::points, {}, {}, static_cast<int>(curves.size())});
+    curve->x.push_back(cost);
+    curve->y.push_back(error);
   }
-  for (const std::string& name : names) figure.series.push_back(curves[name]);
-  Series front{"Pareto front", Series::Style::dashed, {}, {}, static_cast<int>(names.size())};
+  if (curves.empty()) return figure;
+  const int next = static_cast<int>(curves.size());
+  for (const Series& curve : curves)  // a line through the points; their legend is enough
+    figure.series.push_back({"", Series::Style::line, curve.x, curve.y, curve.colour});
+  std::ranges::move(curves, std::back_inserter(figure.series));
+  Series front{"Pareto front", Series::Style::dashed, {}, {}, next};
   for (const std::size_t i : pareto(study.results, quantity)) {
-    if (!(error_of(study.results[i], quantity) > 0)) continue;
+    if (!(error_of(study.results[i], quantity) > round_off)) continue;
     front.x.push_back(study.results[i].candidate_cpu);
     front.y.push_back(error_of(study.results[i], quantity));
   }
   figure.series.push_back(std::move(front));
   if (quantity == "pressure_l2" && !reference.empty()) {
-    Series line{"reference, at its nodes", Series::Style::line, {}, {}, static_cast<int>(names.size()) + 1};
+    Series line{"reference, at its nodes", Series::Style::line, {}, {}, next + 1};
     for (const ReferenceCost& cost : reference)
       if (cost.error > 0) line.x.push_back(cost.cpu_seconds), line.y.push_back(cost.error);
     figure.series.push_back(std::move(line));
   }
+  figure.note = "The largest of all comparison times and probes, against the reference.";
   return figure;
 }
 
+/// The same in a window, in which schemes are affordable that are not over the whole scene.
+void add_window(reports::Record& record, const Study& study, std::size_t index) {
+  const std::string& window = study.points.front().window;
+  for (const Studied& about : {studied[0], studied[2]}) {
+    Figure figure = work_precision(study, about, {});
+    if (figure.series.empty()) continue;
+    figure.id += "_window_" + std::to_string(index);
+    figure.title += ", a window " + window;
+    figure.section = "Windows";
+    figure.note =
+        "Seepage up to the window on the same cells, then each scheme. The error is that at the window's end, "
+        "what seepage brought along included; the seconds are those of both.";
+    record.figures.push_back(std::move(figure));
+  }
+}
+
 reports::Table points_table(const Study& study, const std::filesystem::path& out) {
-  reports::Table table{"Settings",
+  const std::string& window = study.points.front().window;
+  const bool whole = window.empty();
+  reports::Table table{whole ? "Settings" : "Settings, a window " + window,
                        "Settings",
                        "Pareto: no other setting has both a smaller error of pressure and a lower cost.",
                        {"setting", "verdict", "MPM CPU [s]"},
                        {}};
-  for (const char* quantity : studied) table.header.push_back(quantity);
+  for (const Studied& about : studied) table.header.push_back(about.name);
   table.header.push_back("Pareto");
   table.header.push_back("remark");
   const auto front = pareto(study.results, "pressure_l2");
   for (std::size_t i = 0; i < study.points.size(); ++i) {
     const PointResult& result = study.results[i];
-    std::vector<std::string> row{study.points[i].point.name};
+    std::string name = study.points[i].point.name;
+    if (!whole) name.resize(name.size() - window.size() - 2);  // its heading says it
+    std::vector<std::string> row{name};
     if (result.left_out()) {
       row.insert(row.end(), {"not run", fmt::format("about {:.3g}", result.expected_cpu)});
       row.insert(row.end(), std::size(studied) + 1, "");
-      row.push_back("its plan expects more than the study may spend on a point");
+      row.push_back("costs more than --budget");
     } else {
-      row.insert(row.end(), {verdict_of(result), fmt::format("{:.3g}", result.candidate_cpu)});
-      for (const char* quantity : studied) row.push_back(percent_or_metres(error_of(result, quantity), quantity));
+      // A window is not what the scene's gates are about.
+      row.insert(row.end(),
+                 {whole || result.exit > 1 ? verdict_of(result) : "-", fmt::format("{:.3g}", result.candidate_cpu)});
+      for (const Studied& about : studied)
+        row.push_back(percent_or_metres(error_of(result, about.quantity), about.quantity));
       row.push_back(std::ranges::find(front, i) != front.end() ? "yes" : "");
       row.push_back(result.message);
     }
     table.rows.push_back(std::move(row));
-    table.links.push_back(result.left_out() ? "" : link_to(out, i, study.points[i].point));
+    table.links.push_back(result.left_out() ? "" : link_to(out, study.number[i], study.points[i].point));
   }
   return table;
 }
@@ -155,12 +217,11 @@ reports::Table cheapest_table(const Study& study, const Scene& scene) {
                        "The error with the reference's own doubt must be within the gate.",
                        {"quantity", "gate", "cheapest setting", "its error", "MPM CPU [s]"},
                        {}};
-  for (const char* quantity : studied) {
+  for (const auto& [quantity, name] : studied) {
     const auto gate = narrowest_gate(scene, quantity);
     if (!gate) continue;
     const auto best = cheapest(study.results, quantity, *gate);
-    table.rows.push_back({quantity, percent_or_metres(*gate, quantity),
-                          best ? study.results[*best].name : "none of these",
+    table.rows.push_back({name, percent_or_metres(*gate, quantity), best ? study.results[*best].name : "none of these",
                           best ? percent_or_metres(error_of(study.results[*best], quantity), quantity) : "-",
                           best ? fmt::format("{:.3g}", study.results[*best].candidate_cpu) : "-"});
   }
@@ -174,13 +235,15 @@ reports::Record accuracy_page(const std::filesystem::path& path, const std::vect
                               const std::filesystem::path& out) {
   reports::Record record = start_study("what accuracy costs", path, results);
   record.verdict = reports::Verdict::info;  // coarse settings are meant to miss
-  const Study study{points, results};
+  const Study study = part_of(points, results, "");
   record.tables.push_back(cheapest_table(study, read_scene(path)));
   record.tables.push_back(orders_table(study));
-  for (const char* quantity : studied) {
-    Figure figure = work_precision(study, quantity, reference);
-    if (!figure.series.front().x.empty()) record.figures.push_back(std::move(figure));
+  for (const Studied& about : studied) {
+    Figure figure = work_precision(study, about, reference);
+    if (!figure.series.empty()) record.figures.push_back(std::move(figure));
   }
+  const std::vector<std::string> windows = windows_of(points);
+  for (std::size_t w = 0; w < windows.size(); ++w) add_window(record, part_of(points, results, windows[w]), w);
   if (!reference.empty()) {
     reports::Table table{"The reference",
                          "Cost",
@@ -192,7 +255,9 @@ reports::Record accuracy_page(const std::filesystem::path& path, const std::vect
                             fmt::format("{:.3g}", cost.cpu_seconds)});
     record.tables.push_back(std::move(table));
   }
-  record.tables.push_back(points_table(study, out));
+  if (!study.points.empty()) record.tables.push_back(points_table(study, out));
+  for (const std::string& window : windows)
+    record.tables.push_back(points_table(part_of(points, results, window), out));
   return record;
 }
 

@@ -16,6 +16,9 @@ struct EffectChange {
   bool called_for = true;  ///< by the scene: left out; else added
   std::string how;         ///< what was changed
   StudyPoint point;
+  double cells = 1;         ///< per direction, over the scene's
+  std::size_t base = 0;     ///< number of the run without the change on the same cells
+  std::string by_nature{};  ///< why the scene needs it whatever a run says; mostly empty
 };
 
 /// The first point is the scene itself, the second the same on cells half as large, which tells what the numbers are
@@ -23,16 +26,25 @@ struct EffectChange {
 /// own.
 std::vector<EffectChange> effect_changes(const Scene& scene);
 
+/// The same, but an effect that is expected to cost more than `budget` CPU seconds is tried on cells twice or four
+/// times as large where that is within it, against the scene on such cells, which is added at the end.
+std::vector<EffectChange> affordable(const Scene& scene, std::vector<EffectChange> changes, double budget);
+
+/// Settings that multiply the cells per direction; none where that is no mesh of this family. Throws SceneError for a
+/// mesh of the user's own.
+std::vector<Setting> cells_times(const Scene& scene, double factor);
+
 /// Influence of an effect on one outcome and what follows.
 enum class Need { needed, not_needed, undecided, unknown };
 struct Influence {
-  std::string outcome;
+  std::string outcome, unit;
   double change = 0;       ///< of the outcome, in its unit
   double uncertainty = 0;  ///< of the change: what the mesh leaves open
   double tolerance = 0;    ///< below which nobody would notice: the scene's gate, or 1 % of the outcome
   Need need = Need::unknown;
 };
-/// Needed where |change| - uncertainty > tolerance, not needed where |change| + uncertainty <= tolerance.
+/// Needed where |change| - uncertainty > tolerance, not needed where |change| + uncertainty <= tolerance. `changed` and
+/// `base` are on the same cells, `finer` is on finer ones. Empty where one of them was refused or gave up.
 std::vector<Influence> influences(const Scene& scene, const PointResult& base, const PointResult& finer,
                                   const PointResult& changed);
 /// Needed where it is for any outcome; not needed where it is not for all.

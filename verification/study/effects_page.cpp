@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace wetfront::verification {
 namespace {
 
 constexpr const char* table_title = "Effects";
+constexpr double shown_from = 1e-3;  ///< of the tolerance: what is smaller decides nothing
 
 const char* word(Need need) {
   switch (need) {
@@ -37,16 +39,40 @@ const Influence* largest(const std::vector<Influence>& all) {
   return found == all.end() ? nullptr : &*found;
 }
 
+/// Outcomes as the reader of a sentence wants them: "time of ponding" and not "p > 0.2 kPa at probe base" alone.
+std::string named(const std::string& outcome) {
+  return outcome.starts_with("p > ") ? "the time when " + outcome : outcome;
+}
+
+std::string tolerances(double ratio) {
+  return ratio < 0.01 ? "less than a hundredth of" : fmt::format("{:.2g} times", ratio);
+}
+
+/// What the scene needs, in plain words.
 std::string sentence(const EffectChange& change, const PointResult& result, const std::vector<Influence>& all) {
-  if (result.left_out()) return fmt::format("Not run: its plan expects {:.3g} CPU-s.", result.expected_cpu);
-  if (all.empty()) return "Could not be run: " + result.message;
+  std::string subject = change.effect;
+  subject[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(subject[0])));
+  if (!change.by_nature.empty()) return subject + " is needed: " + change.by_nature + ".";
+  if (result.left_out())
+    return fmt::format("{} was not tried: about {:.2g} CPU-s, more than --budget, on four times as large cells, too.",
+                       subject, result.expected_cpu);
+  if (all.empty()) return subject + " could not be tried: " + result.message;
   const Influence& most = *largest(all);
-  const std::string effect =
-      change.effect + (change.called_for ? ", which the scene calls for, " : ", which the scene does not call for, ");
-  const std::string is = std::string("is ") + word(overall_need(all)) + " at this tolerance";
-  if (std::isnan(most.change)) return effect + is + ": " + most.outcome + " happens only with it or only without it.";
-  return fmt::format("{}{}: at most {:.3g} of the tolerance (or of 1 %), in {}.", effect, is,
-                     std::abs(most.change) / std::max(most.tolerance, 1e-300), most.outcome);
+  const Need need = overall_need(all);
+  const std::string doing = change.called_for ? "Without it" : "With it";
+  std::string text =
+      subject + (need == Need::needed       ? (change.called_for ? " is needed. " : " is missing. ")
+                 : need == Need::not_needed ? (change.called_for ? " could be left out. " : " is not needed. ")
+                                            : ": undecided. ");
+  text += std::isnan(most.change) ? fmt::format("{} {} happens, or happens only so.", named(most.outcome),
+                                                change.called_for ? "no longer" : "also")
+                                  : fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing,
+                                                named(most.outcome), most.change, most.unit,
+                                                tolerances(std::abs(most.change) / std::max(most.tolerance, 1e-300)),
+                                                all.size() > 1 ? ", other outcomes by less" : "");
+  if (need == Need::undecided) text += fmt::format(" Finer cells change it by {:.2g} {}.", most.uncertainty, most.unit);
+  if (change.cells != 1) text += fmt::format(" (Tried on cells {:g} times as large, for its cost.)", 1 / change.cells);
+  return text;
 }
 
 std::string share(double with, double without) {
@@ -65,28 +91,33 @@ reports::Record effects_page(const std::filesystem::path& path, const std::vecto
                          "Share of time and memory: what the run without the effect saves of the run with it.",
                          {"effect", "in the scene", "verdict", "time [%]", "point memory [%]", "what the scene needs"},
                          {}};
-  reports::Table detail{"Influence on each outcome",
-                        "Influence",
-                        "Change: with the effect left out or added. Doubt: the change on cells half as large.",
-                        {"effect", "outcome", "change", "doubt", "tolerance", "verdict"},
-                        {}};
+  reports::Table detail{
+      "Influence on each outcome",
+      "Influence",
+      fmt::format("Change: with the effect left out or added, on the same cells. Doubt: the change that "
+                  "finer cells make. Changes below {:g} of the tolerance are left out.",
+                  shown_from),
+      {"effect", "outcome", "unit", "change", "doubt", "tolerance", "verdict"},
+      {}};
   for (std::size_t i = 2; i < changes.size(); ++i) {
-    const auto all =
-        results[i].left_out() ? std::vector<Influence>{} : influences(scene, results[0], results[1], results[i]);
-    const bool called = changes[i].called_for, ran = !all.empty();
+    if (changes[i].how.empty()) continue;  // the scene on other cells
+    const PointResult &base = results[changes[i].base], &finer = results[changes[i].base == 0 ? 1 : 0];
+    const auto all = results[i].left_out() ? std::vector<Influence>{} : influences(scene, base, finer, results[i]);
+    const bool called = changes[i].called_for, known = !all.empty();
     const auto part = [&](double scene_has, double changed) {
-      return !ran ? std::string("-") : called ? share(scene_has, changed) : share(changed, scene_has);
+      return !known ? std::string("-") : called ? share(scene_has, changed) : share(changed, scene_has);
     };
-    summary.rows.push_back(
-        {changes[i].effect, called ? "called for" : "not called for", word(overall_need(all)),
-         part(results[0].candidate_cpu, results[i].candidate_cpu),
-         part(static_cast<double>(results[0].point_bytes), static_cast<double>(results[i].point_bytes)),
-         sentence(changes[i], results[i], all)});
+    const Need need = changes[i].by_nature.empty() ? overall_need(all) : Need::needed;
+    summary.rows.push_back({changes[i].effect, called ? "yes" : "no", word(need),
+                            part(base.candidate_cpu, results[i].candidate_cpu),
+                            part(static_cast<double>(base.point_bytes), static_cast<double>(results[i].point_bytes)),
+                            sentence(changes[i], results[i], all)});
     summary.links.push_back(results[i].left_out() ? "" : link_to(out, i, changes[i].point));
     for (const Influence& one : all)
-      detail.rows.push_back({changes[i].effect, one.outcome, fmt::format("{:.4g}", one.change),
-                             fmt::format("{:.2g}", one.uncertainty), fmt::format("{:.3g}", one.tolerance),
-                             word(one.need)});
+      if (!(std::abs(one.change) < shown_from * one.tolerance))
+        detail.rows.push_back({changes[i].effect, one.outcome, one.unit, fmt::format("{:.4g}", one.change),
+                               fmt::format("{:.2g}", one.uncertainty), fmt::format("{:.3g}", one.tolerance),
+                               word(one.need)});
   }
   record.tables.push_back(std::move(summary));
   record.tables.push_back(std::move(detail));
