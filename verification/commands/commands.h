@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/coupling/strength_reduction.h"
 #include "verification/run/run_scene.h"
 
 #include <filesystem>
@@ -56,6 +57,8 @@ int study_vary(const StudyRequest& request);
 int study_accuracy(const StudyRequest& request, double budget);
 /// Which effects matter: each left out or added in turn.
 int study_effects(const StudyRequest& request, double budget);
+/// The factor of safety over time, at these times [s] (empty: ten even parts), until the scene moves in true time.
+int study_safety(const StudyRequest& request, const std::vector<double>& times, const mpm::SafetySearch& search);
 /// A run with the ledger of differences.
 int study_difference(const StudyRequest& request);
 

@@ -22,6 +22,7 @@ constexpr const char* footer = R"(Examples:
   wetfront run verification/cases/seed_column/*.toml        several scenes, one index page
   wetfront explain verification/cases/dry_column/scene.toml
   wetfront study vary SCENE --set rain.intensity=1e-5,2e-5 --set mpm.points_per_cell=4,9
+  wetfront study safety verification/cases/small_slope/scene.toml --times 0,60,120,180
   wetfront new my_slope.toml
 
 Exit codes: 0 all pass, 1 a comparison failed, 2 bad input, 3 a solver gave up, 4 inconclusive.)";
@@ -162,7 +163,8 @@ int main(int argc, char** argv) {
   verify->add_flag("--heavy", arguments.heavy, "also the cases that take long (minutes in all)");
   verify->add_option("--only", arguments.only, "only cases whose name contains this");
 
-  CLI::App* study = app.add_subcommand("study", "sweeps: what varies, what accuracy costs, which effects matter");
+  CLI::App* study = app.add_subcommand(
+      "study", "sweeps: what varies, what accuracy costs, which effects matter, how safe a slope is");
   study->require_subcommand(1);
   commands::StudyRequest request;
   double budget = 20;
@@ -202,6 +204,17 @@ int main(int argc, char** argv) {
                            [&] { return commands::study_effects(request, budget); });
   add_points(effects, request);
   effects->add_option("--budget", budget, "CPU seconds that one point may be expected to cost (default 20)");
+  std::vector<double> safety_times;
+  wetfront::mpm::SafetySearch search;
+  auto* safety = study->add_subcommand("safety", "the factor of safety over time: strength reduction, infinite slope");
+  safety->callback([&] { command = [&] { return commands::study_safety(request, safety_times, search); }; });
+  add_study(safety, request);
+  safety
+      ->add_option("--times", safety_times,
+                   "seconds, with commas; and at failure (default: ten even parts of the quasi-static stages)")
+      ->delimiter(',');
+  safety->add_option("--tolerance", search.tolerance, "width of the last bracket of a factor (default 0.01)");
+  safety->add_option("--largest", search.largest, "a slope that stands at this is not weakened further (default 4)");
   add_kind("difference", "where the difference between MPM and reference comes from",
            [&] { return commands::study_difference(request); });
 

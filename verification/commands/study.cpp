@@ -5,6 +5,7 @@
 #include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
 #include "verification/study/effects.h"
+#include "verification/study/safety.h"
 #include "verification/study/study_page.h"
 
 #include <fmt/format.h>
@@ -135,6 +136,23 @@ int study_effects(const StudyRequest& request, double budget) {
   kind.always = 1;  // without the scene itself there is nothing to compare with
   kind.verdicts_count = false;
   return run_study(request, kind);
+}
+
+int study_safety(const StudyRequest& request, const std::vector<double>& times, const mpm::SafetySearch& search) {
+  const auto out = folder_for("safety", request);
+  reports::make_writable(out);
+  const Prepared prepared = prepare(read_scene(request.scene));
+  const SafetyHistory history = safety_history(prepared, times, search);
+  const reports::Record record = safety_page(prepared, history);
+  reports::write_result(record, out);
+  for (const auto& state : history.states)
+    fmt::print("{:>10.6g} s  {:.4g} to {}\n", state.snapshot.time, state.factor.stands,
+               state.factor.fails > 0 ? fmt::format("{:.4g}", state.factor.fails) : "more");
+  for (const auto& figure : record.figures) fmt::print("{}\n", figure.note);
+  if (!history.run.gave_up.empty()) fmt::print(stderr, "{}\n", history.run.gave_up);
+  fmt::print("{} factors of safety, {:.2f} CPU-s -> {}\n", history.states.size(), record.cpu_seconds,
+             (out / "report.html").string());
+  return static_cast<int>(history.run.gave_up.empty() ? Exit::pass : Exit::gave_up);
 }
 
 int study_difference(const StudyRequest& request) {
