@@ -265,8 +265,9 @@ TEST(Accuracy, DearSchemesAreTriedInAWindow) {
     const Timeline times = timeline(in_window);
     EXPECT_EQ(times.comparison_times.size(), 1u);
     EXPECT_EQ(times.comparison_times.back(), times.stage_end.back());
-    if (one.cells == 4 && (one.curve == "implicit-drag" || one.curve == "explicit"))  // the dearest of its window
+    if (one.cells == 4 && (one.curve == "implicit-drag" || one.curve == "explicit")) {  // the dearest of its window
       EXPECT_LE(expected_cpu(path, one.point), 20) << one.point.name;
+    }
   }
   ASSERT_EQ(settings_of.size(), 2u) << "of implicit and of explicit drag";
   for (const auto& [window, schemes] : settings_of) {

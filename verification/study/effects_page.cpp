@@ -64,12 +64,12 @@ std::string sentence(const EffectChange& change, const PointResult& result, cons
       subject + (need == Need::needed       ? (change.called_for ? " is needed. " : " is missing. ")
                  : need == Need::not_needed ? (change.called_for ? " could be left out. " : " is not needed. ")
                                             : ": undecided. ");
-  text += std::isnan(most.change) ? fmt::format("{} {} happens, or happens only so.", named(most.outcome),
-                                                change.called_for ? "no longer" : "also")
-                                  : fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing,
-                                                named(most.outcome), most.change, most.unit,
-                                                tolerances(std::abs(most.change) / std::max(most.tolerance, 1e-300)),
-                                                all.size() > 1 ? ", other outcomes by less" : "");
+  text +=
+      std::isnan(most.change)
+          ? fmt::format("{} there is no {} any more, or there is one only then.", doing, named(most.outcome))
+          : fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing, named(most.outcome), most.change,
+                        most.unit, tolerances(std::abs(most.change) / std::max(most.tolerance, 1e-300)),
+                        all.size() > 1 ? ", other outcomes by less" : "");
   if (need == Need::undecided) text += fmt::format(" Finer cells change it by {:.2g} {}.", most.uncertainty, most.unit);
   if (change.cells != 1) text += fmt::format(" (Tried on cells {:g} times as large, for its cost.)", 1 / change.cells);
   return text;
