@@ -62,6 +62,7 @@ class SeepageStep {
   void accept(const Formula& formula, double dt);
   double first_step();
   void cover_part(double begin, double end);
+  long most_failed_ = 0;  ///< of failed_solves in the step that is being covered
   /// Weather, levels and heads of the time that is about to be solved for.
   void tell_window(double begin, double end) const;
   [[noreturn]] void give_up(double dt) const;

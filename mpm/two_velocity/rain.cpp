@@ -131,6 +131,10 @@ void RainOnTwoVelocity<dim>::refuse_to_miss(double time) const {
       return std::any_of(node.rains.begin(), node.rains.end(), [k](const auto& rain) { return rain.first == k; });
     };
     if (std::any_of(nodes_.begin(), nodes_.end(), meets)) continue;
+    if (!(time > 0))  // nothing has moved yet
+      throw CannotPlan(rains_[k].origin + ": rain on '" + rains_[k].side +
+                       "' finds no soil (two velocities in a deforming skeleton rain on cells in front of empty ones). "
+                       "Let the mesh go on above the soil by a row of cells, or rain on a side of the mesh");
     const std::string what = rains_[k].origin + ": rain on '" + rains_[k].side + "' finds no soil at " +
                              std::to_string(time) +
                              " s (the body has moved away from it, or lies nowhere open to the "

@@ -24,6 +24,7 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
   if (!after_seepage)
     std::copy(plan.problem.initial_pressure.begin(), plan.problem.initial_pressure.end(), (*water_->pressure)[0]);
   const auto& points = plan.fields.points;
+  const double before = !after_seepage ? 0 : carried_before_ ? points.sum(*point_water_) : seepage->sum();
   const Column& volume = *points.columns.find("volume");
   for (std::size_t r = 0; r < plan.problem.soils.size(); ++r)
     with_soil_water(plan.problem.soils[r], *plan.problem.water, [&](const auto& laws) {
@@ -56,7 +57,6 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
     plan.at_begin([this, &plan] { std::ranges::copy(plan.problem.initial_pressure, (*water_->pressure)[0]); });
     return;
   }
-  const double before = seepage->sum();
   plan.at_begin([this, &plan, before] {
     start_as_darcy(plan);
     std::ostringstream text;

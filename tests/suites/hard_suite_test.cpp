@@ -19,7 +19,7 @@ using Outcome = HardEntry::Outcome;
 using reports::Verdict;
 
 HardCase row(const std::string& name) {
-  for (const auto family : {dry_rows, layer_rows, water_rows, rain_rows, surface_rows, invalid_rows})
+  for (const auto family : {dry_rows, layer_rows, water_rows, rain_rows, surface_rows, carried_rows, invalid_rows})
     for (const HardCase& test : family())
       if (test.name == name) return test;
   throw std::out_of_range(name);
@@ -35,7 +35,7 @@ TEST_P(HardRow, HasNoFailedEntry) {
     EXPECT_NE(finding.verdict, Verdict::fail) << finding.description << ": " << finding.error;
   const auto entries = std::ranges::find(record.tables, "Entries", &reports::Table::title);
   ASSERT_NE(entries, record.tables.end());
-  EXPECT_EQ(entries->rows.size(), std::size(hard_schemes));
+  EXPECT_EQ(entries->rows.size(), std::size(rigid_schemes));
 }
 
 INSTANTIATE_TEST_SUITE_P(Quick, HardRow,

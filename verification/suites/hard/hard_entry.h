@@ -13,7 +13,9 @@ struct HardEntry {
   double estimate = 0;         ///< CPU seconds that a refused run would take
   double end = 0;              ///< s
   std::vector<Reading> readings;
-  double balance = 0;  ///< |stored - stored_0 - infiltrated + outflow|, largest, over the water moved or stored
+  double balance = 0;           ///< |stored - stored_0 - infiltrated + outflow|, largest, over the water moved or
+                                ///< stored; without what the hand-over between stages changed
+  double handed_over = 0;       ///< |water that points were given or lost where a stage took it over|, over that stored
   double particle_balance = 0;  ///< the same with the sums over points, at the end
   double overshoot = 0;         ///< Pa beyond what heads can cause, largest of the run
   double energy_growth = 0;     ///< free energy gained beyond the work of the boundaries, over the energy converted

@@ -1,6 +1,7 @@
 #include "verification/suites/hard/hard_matrix.h"
 
 #include "reports/quantity_anchor.h"
+#include "verification/suites/hard/hard_case.h"
 
 #include <fmt/format.h>
 
@@ -18,31 +19,53 @@ std::string cell_text(const std::vector<std::string>& entry) {
   return said.empty() ? verdict : verdict + ": " + said;
 }
 
-const reports::Table* entries_of(const reports::Record& row) {
-  const auto found = std::ranges::find(row.tables, "Entries", &reports::Table::title);
+const reports::Table* entries_of(const reports::Record& row, const std::string& title) {
+  const auto found = std::ranges::find(row.tables, title, &reports::Table::title);
   return found == row.tables.end() ? nullptr : &*found;
 }
 
-/// A line of the matrix; the number of entries that fail.
-int add_row(reports::Table& table, const reports::Record& row) {
+/// A line of the matrix, under the schemes of its header; the number of entries that fail.
+int add_row(reports::Table& table, const reports::Record& row, const reports::Table& entries) {
   const std::string page = "../" + row.case_name + "/report.html";
-  std::vector<std::string> line{row.title};
-  std::vector<reports::Table::Mark> marks{{}};
+  std::vector<std::string> line(table.header.size());
+  std::vector<reports::Table::Mark> marks(table.header.size());
+  line[0] = row.title;
   int failed = 0;
-  if (const reports::Table* entries = entries_of(row))
-    for (const auto& entry : entries->rows) {
-      line.push_back(cell_text(entry));
-      const bool fails = entry.at(1).starts_with("FAIL"), refused = entry.at(1).starts_with("refused");
-      marks.push_back({fails     ? "fail"
-                       : refused ? "refused"
-                                 : "pass",
-                       page + "#" + reports::quantity_anchor(entry.at(0))});
-      failed += fails;
-    }
-  line.resize(table.header.size());
+  for (const auto& entry : entries.rows) {
+    const auto column = static_cast<std::size_t>(std::ranges::find(table.header, entry.at(0)) - table.header.begin());
+    const bool fails = entry.at(1).starts_with("FAIL"), refused = entry.at(1).starts_with("refused");
+    line.at(column) = cell_text(entry);
+    marks.at(column) = {fails     ? "fail"
+                        : refused ? "refused"
+                                  : "pass",
+                        page + "#" + reports::quantity_anchor(entry.at(0))};
+    failed += fails;
+  }
   table.rows.push_back(line);
   table.links.push_back(page);
   table.marks.push_back(marks);
+  return failed;
+}
+
+/// The rows that have entries of one kind, under all schemes that any of them names.
+int add_table(reports::Record& record, const std::vector<reports::Record>& rows, const char* title, const char* kind) {
+  reports::Table table{title,
+                       "Verdicts",
+                       "Stable and within its bound, refused for a reason, or FAIL; errors over their bounds. Each "
+                       "row's page has the rest.",
+                       {"case"},
+                       {}};
+  std::vector<std::pair<const reports::Record*, const reports::Table*>> found;
+  for (const reports::Record& row : rows) {
+    const reports::Table* entries = entries_of(row, kind);
+    if (entries == nullptr) continue;
+    found.emplace_back(&row, entries);
+    for (const auto& entry : entries->rows)
+      if (std::ranges::count(table.header, entry.at(0)) == 0) table.header.push_back(entry.at(0));
+  }
+  int failed = 0;
+  for (const auto& [row, entries] : found) failed += add_row(table, *row, *entries);
+  if (!found.empty()) record.tables.push_back(table);
   return failed;
 }
 
@@ -54,17 +77,9 @@ reports::Record hard_matrix(const std::vector<reports::Record>& rows) {
   record.title = "Hard cases: rows are scenes, columns are schemes";
   record.requirement =
       "No entry may be a NaN, a hang or a silent wrong answer: it is stable within its bound, or refused for a reason.";
-  reports::Table table{"Stability of the hard cases",
-                       "Verdicts",
-                       "Stable and within its bound, refused for a reason, or FAIL; errors over their bounds. Each "
-                       "row's page has the rest.",
-                       {"case"},
-                       {}};
-  if (const reports::Table* entries = rows.empty() ? nullptr : entries_of(rows.front()))
-    for (const auto& entry : entries->rows) table.header.push_back(entry.at(0));
-  int failed = 0;
+  const int failed = add_table(record, rows, "Stability of the hard cases", rigid_entries) +
+                     add_table(record, rows, "The same with a deforming skeleton", deforming_entries);
   for (const reports::Record& row : rows) {
-    failed += add_row(table, row);
     record.cpu_seconds += row.cpu_seconds;
     if (record.provenance.empty()) record.provenance = row.provenance;
   }
@@ -76,7 +91,6 @@ reports::Record hard_matrix(const std::vector<reports::Record>& rows) {
   finding.reason = "what fails stays visible as such";
   finding.verdict = failed == 0 ? reports::Verdict::pass : reports::Verdict::fail;
   record.verdict = finding.verdict;
-  record.tables.push_back(table);
   return record;
 }
 

@@ -10,7 +10,7 @@ namespace wetfront::verification {
 
 std::vector<Case> hard_suite() {
   std::vector<Case> all;
-  for (const auto family : {dry_rows, layer_rows, water_rows, rain_rows, surface_rows, invalid_rows})
+  for (const auto family : {dry_rows, layer_rows, water_rows, rain_rows, surface_rows, carried_rows, invalid_rows})
     for (const HardCase& row : family()) all.push_back(as_case(row));
   return all;
 }

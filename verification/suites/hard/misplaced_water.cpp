@@ -104,26 +104,27 @@ double pressure_difference(const meshes::FieldHistory& mpm, const meshes::FieldH
 }
 
 HardCase column_case(const ColumnRow& row) {
-  HardCase out{row.name,
-               row.title,
-               row.requirement,
-               row.source,
-               row.effort,
-               [column = row.column] { return strip_problem(column); },
-               row.ends.empty() ? std::vector<double>{row.column.outputs.back()} : row.ends,
-               row.seepage_until,
-               row.budget,
-               {}};
+  HardCase out;
+  out.name = row.name, out.title = row.title, out.requirement = row.requirement, out.source = row.source;
+  out.effort = row.effort;
+  out.problem = [column = row.column] { return strip_problem(column); };
+  out.ends = row.ends.empty() ? std::vector<double>{row.column.outputs.back()} : row.ends;
+  out.seepage_until = row.seepage_until;
+  out.budget = row.budget;
   // Solved when first asked for: once for all schemes.
   struct Yardstick {
     meshes::FieldHistory reference;
     std::optional<meshes::FieldHistory> on_the_same_cells;
   };
   const auto kept = std::make_shared<std::optional<Yardstick>>();
-  out.judge = [row, kept](const mpm::Problem<2>&, const meshes::FieldHistory& history) {
+  HardColumn watched = row.column;
+  for (const double window : out.windows) watched.outputs.push_back(out.window_begin() + window);
+  std::ranges::sort(watched.outputs);
+  watched.outputs.erase(std::ranges::unique(watched.outputs).begin(), watched.outputs.end());
+  out.judge = [row, watched, kept](const mpm::Problem<2>&, const meshes::FieldHistory& history) {
     if (!*kept) {
-      kept->emplace(Yardstick{fem_reference::solve(line_problem(row.column, row.finer)), {}});
-      if (row.known_to_own_change) (*kept)->on_the_same_cells = fem_reference::solve(line_problem(row.column, 1));
+      kept->emplace(Yardstick{fem_reference::solve(line_problem(watched, row.finer)), {}});
+      if (row.known_to_own_change) (*kept)->on_the_same_cells = fem_reference::solve(line_problem(watched, 1));
     }
     const Yardstick& yardstick = **kept;
     double bound = row.cells_off;

@@ -66,6 +66,7 @@ void small_strain(MotionBook& book) {
   const exact::GravityColumn seed{1, 1912.6, 9.81, 10e6, 0.3};
   const GravityColumnSolution exact(seed, ColumnLaw::small_strain);
   const int cells = 20;
+  book.energy = weighty_energy;
   const auto motion = book.move<2>("20 cells", column(seed, cells, 12));
   const double settled = -motion.history.snapshots.back().node_displacement.back()[1];
   book.page.expect("settlement", "settlement of the top [m]", settled, exact.settlement(),
@@ -92,6 +93,7 @@ void large_strain(const mpm::SkeletonScheme& scheme, ColumnLaw law, MotionBook& 
   problem.skeleton = scheme;
   if (law == ColumnLaw::hencky) problem.soils[0].law = mpm::Hencky{"suite"};
   const std::string label = (law == ColumnLaw::hencky ? "Hencky, " : "rate form, ") + scheme_text(scheme);
+  book.energy = weighty_energy;
   const auto motion = book.move<2>(label, problem);
   const auto points = from_below(motion.clouds.back(), coombs.density * coombs.height / cells);
   const std::string what = "rms error of the positions, relative to the settlement, " + label;

@@ -21,6 +21,7 @@ void slide(bool turned_mesh, MotionBook& book) {
   auto figure =
       figure_frame({"velocity", "Velocity along the slope", "Time series"}, {"time", "s"}, {"velocity", "m/s"});
   int colour = 0;
+  book.energy = weighty_energy;
   for (const double friction : {0.0, 0.2, std::tan(20 * degree), 0.5, 0.6}) {
     // The slower, the longer it rocks about its mean.
     const InclineBlock b{.friction = friction, .turned_mesh = turned_mesh, .end = friction > 0.3 ? 4.0 : 2.0};
@@ -60,6 +61,7 @@ double layer_acceleration(double friction, double dilatancy, double angle, Motio
   problem.fixities.push_back({"base", {true, true, false}, "suite"});
   problem.skeleton_boundary.push_back(mpm::PeriodicSkeleton{"left", "right", "suite"});
   problem.stages[0].local_damping = 0;
+  book.energy = weighty_energy;
   const auto motion =
       book.move<2>(fmt::format("{:.4g} degrees, psi {:.3g}", angle / degree, dilatancy / degree), problem);
   const auto top_velocity = [&](const Cloud<2>& cloud) {

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace wetfront::verification {
 
@@ -22,15 +23,24 @@ class MotionBook {
                    const std::function<bool(const Cloud<dim>&)>& enough = nullptr);
   void finish();  ///< the table, and the balances as findings
   CaseBook& page;
+  /// What mapping between points and nodes may make or lose of the energy of the runs to come, over what was exchanged.
+  Gate energy = round_off_energy;
+  static const Gate round_off_energy;  ///< of FLIP without PIC, weight, contact and damping
 
  private:
   void enter(const std::string& label, const meshes::FieldHistory& history, std::size_t points);
   void balance(const meshes::FieldHistory& history);
   void enter_energy(const std::string& label, const EnergySplit& split);
   reports::Table runs_, energies_;
-  double momentum_ = 0;         ///< worst drift of momentum of the runs, relative to what was exchanged
-  double lost_ = 0, made_ = 0;  ///< worst of energy by mapping, relative to what was exchanged
-  int balanced_ = 0;            ///< runs with a ledger
+  double momentum_ = 0;  ///< worst drift of momentum of the runs, relative to what was exchanged
+  /// Worst of energy by mapping under one gate, relative to what was exchanged.
+  struct Mapping {
+    Gate gate;
+    double lost = 0, made = 0;
+    int runs = 0;
+  };
+  std::vector<Mapping> mappings_;
+  int balanced_ = 0;  ///< runs with a ledger
 };
 
 /// A case whose page is written through a MotionBook.

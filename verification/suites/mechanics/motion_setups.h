@@ -2,6 +2,7 @@
 
 #include "mpm/problem.h"
 #include "verification/suites/box_mesh.h"
+#include "verification/suites/case_book.h"
 
 #include <functional>
 #include <string>
@@ -33,5 +34,11 @@ std::vector<double> evenly(double end, int count);
 /// "linear", "linear, B-bar", "quadratic splines", with "APIC" or a share of PIC: what differs from plain MUSL with
 /// FLIP.
 std::string scheme_text(const mpm::SkeletonScheme& scheme);
+
+/// What mapping may take of the energy of a smooth motion on so many cells: nothing with FLIP, else `cells_lost` /
+/// cells.
+Gate smooth_energy(const mpm::SkeletonScheme& scheme, int cells, double cells_lost = 1.6);
+/// The same where weight, contact or damping act.
+extern const Gate weighty_energy;
 
 }  // namespace wetfront::verification

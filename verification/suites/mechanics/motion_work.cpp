@@ -48,6 +48,7 @@ void work(const ManufacturedMotion& motion, const std::vector<int>& ladder, Moti
   for (const Named& named : schemes()) {
     auto curve = line(named.name);
     for (const int cells : ladder) {
+      book.energy = smooth_energy(named.scheme, cells);
       const auto run =
           book.move<2>(fmt::format("{}, {} cells", named.name, cells), motion.problem(cells, named.scheme));
       put(curve, run.history.cpu_seconds, motion.error(run));
