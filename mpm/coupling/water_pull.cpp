@@ -1,6 +1,7 @@
 #include "mpm/coupling/water_pull.h"
 
 #include "mpm/grid/cell_moments.h"
+#include "mpm/grid/column_vector.h"
 
 namespace wetfront::mpm {
 
@@ -30,20 +31,19 @@ void WaterPull<dim>::add_force() {
 /// The gradients of an affine cell follow from those by local coordinates by one matrix for all points.
 template <int dim>
 typename WaterPull<dim>::CellPull WaterPull<dim>::in_affine(const Block& block) const {
-  const auto& grid = plan_.fields.grid;
+  const auto& map = plan_.fields.grid.map(block.cell);
   CellMoments<dim> water, pushed;
   for (std::size_t k = 0; k < block.count; ++k) {
-    const Vector<dim> xi = grid.local(block.cell, plan_.fields.points.position(block.first + k));
+    const Vector<dim> xi = map.local(at<dim>(position_, block.first + k));
     water.add(xi, water_[0][block.first + k]);
     pushed.add(xi, push_[k]);
   }
-  const auto& inverse = grid.map(block.cell).inverse;
   CellPull pull;
   for (int i = 0; i < cell_nodes<dim>; ++i) {
     pull.water[i] = water.value(i);
     const Vector<dim> slope = pushed.slope(i);
     for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b) pull.push[i][a] += inverse[b][a] * slope[b];
+      for (int b = 0; b < dim; ++b) pull.push[i][a] += map.inverse[b][a] * slope[b];
   }
   return pull;
 }
@@ -54,7 +54,7 @@ typename WaterPull<dim>::CellPull WaterPull<dim>::in_any(const Block& block) con
   CellPull pull;
   Stencil<dim> s;
   for (std::size_t k = 0; k < block.count; ++k) {
-    grid.stencil(block.cell, grid.local(block.cell, plan_.fields.points.position(block.first + k)), s);
+    grid.stencil(block.cell, grid.local(block.cell, at<dim>(position_, block.first + k)), s);
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       pull.water[i] += s.value[i] * water_[0][block.first + k];
       for (int a = 0; a < dim; ++a) pull.push[i][a] += push_[k] * s.gradient[i][a];

@@ -18,7 +18,8 @@ class WaterPull : public NodalCondition<dim> {
         force_(plan.require_on_nodes("force")),
         volume_(plan.require_on_points("volume")),
         pore_stress_(plan.require_on_points("pore stress")),
-        water_(plan.require_on_points("water")) {}
+        water_(plan.require_on_points("water")),
+        position_(plan.require_on_points("position")) {}
   void add_force() override;
 
  private:
@@ -32,7 +33,7 @@ class WaterPull : public NodalCondition<dim> {
 
   StagePlan<dim>& plan_;
   Column& force_;
-  const Column &volume_, &pore_stress_, &water_;
+  const Column &volume_, &pore_stress_, &water_, &position_;
   std::vector<double> push_;  ///< of the points of the cell at hand
 };
 

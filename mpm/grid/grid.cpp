@@ -87,21 +87,18 @@ Vector<dim> Grid<dim>::place(std::size_t cell, const Vector<dim>& xi) const {
 
 template <int dim>
 Vector<dim> Grid<dim>::local(std::size_t cell, const Vector<dim>& x) const {
-  const auto step = [&x](const AffineMap& map, Vector<dim> xi) {
-    for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b) xi[a] += map.inverse[a][b] * (x[b] - map.centre[b]);
-    return xi;
-  };
-  Vector<dim> xi = step(maps_[cell], {});
+  Vector<dim> xi = maps_[cell].local(x);
   if (affine(cell)) return xi;
   // Newton's method on a bilinear map converges quadratically from the affine guess; 20 is never reached by a convex
   // cell, and a place far outside is reported as outside by the caller.
   for (int iteration = 0; iteration < 20; ++iteration) {
     for (double& c : xi) c = std::clamp(c, -3.0, 3.0);
-    const Vector<dim> next = step(map_at(cell, xi), xi);
+    const Vector<dim> step = map_at(cell, xi).local(x);
     double change = 0;
-    for (int a = 0; a < dim; ++a) change = std::max(change, std::abs(next[a] - xi[a]));
-    xi = next;
+    for (int a = 0; a < dim; ++a) {
+      change = std::max(change, std::abs(step[a]));
+      xi[a] += step[a];
+    }
     if (change < 1e-14) break;
   }
   return xi;

@@ -43,6 +43,14 @@ class Grid {
     Vector<dim> centre{};
     std::array<Vector<dim>, dim> inverse{};  ///< dxi/dx
     double determinant = 0;                  ///< of dx/dxi
+
+    /// Local coordinates of a place.
+    Vector<dim> local(const Vector<dim>& x) const {
+      Vector<dim> xi{};
+      for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b) xi[a] += inverse[a][b] * (x[b] - centre[b]);
+      return xi;
+    }
   };
   /// The map at the centre of a cell; all of it when the cell is affine.
   const AffineMap& map(std::size_t cell) const { return maps_[cell]; }
