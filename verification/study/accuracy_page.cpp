@@ -111,17 +111,20 @@ Figure work_precision(const Study& study, const Studied& about, const std::vecto
 }
 
 /// The same in a window, in which schemes are affordable that are not over the whole scene.
-void add_window(reports::Record& record, const Study& study, std::size_t index) {
+void add_window(reports::Record& record, const Study& study, const std::vector<ReferenceCost>& reference,
+                std::size_t index) {
   const std::string& window = study.points.front().window;
   for (const Studied& about : {studied[0], studied[2]}) {
-    Figure figure = work_precision(study, about, {});
+    Figure figure = work_precision(study, about, reference);
     if (figure.series.empty()) continue;
     figure.id += "_window_" + std::to_string(index);
     figure.title += ", a window " + window;
     figure.section = "Windows";
     figure.note =
         "Seepage up to the window on the same cells, then each scheme. The error is that at the window's end, "
-        "what seepage brought along included; the seconds are those of both.";
+        "what seepage brought along and the hand-over included; the seconds are those of both.";
+    for (Series& series : figure.series)
+      if (series.label.starts_with("reference")) series.label = "reference, whole scene";
     record.figures.push_back(std::move(figure));
   }
 }
@@ -243,7 +246,8 @@ reports::Record accuracy_page(const std::filesystem::path& path, const std::vect
     if (!figure.series.empty()) record.figures.push_back(std::move(figure));
   }
   const std::vector<std::string> windows = windows_of(points);
-  for (std::size_t w = 0; w < windows.size(); ++w) add_window(record, part_of(points, results, windows[w]), w);
+  for (std::size_t w = 0; w < windows.size(); ++w)
+    add_window(record, part_of(points, results, windows[w]), reference, w);
   if (!reference.empty()) {
     reports::Table table{"The reference",
                          "Cost",
