@@ -188,6 +188,7 @@ std::vector<AccuracyPoint> window_points(const Scene& scene, double budget) {
     if (!(expected > budget)) continue;
     // Half is kept back: what a window costs is foretold from the driest soil, where steps are shortest or longest.
     const double length = rounded_down(std::min(0.5 * budget / expected * (times.end() - begin), 0.5 * (last - begin)));
+    if (!(length > 1e-7 * last)) continue;  // shorter than a scene can say
     const Window window{last - length, last};
     const std::string name = fmt::format("from {:.7g} s for {:.3g} s", window.from, length);
     for (std::size_t k = 0; k <= dear; ++k)
