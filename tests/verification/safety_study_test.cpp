@@ -8,7 +8,7 @@
 namespace wetfront::verification {
 namespace {
 
-using SafetyStudy = test::Program;
+class SafetyStudy : public test::Program {};
 const std::string cases = std::string(WETFRONT_SOURCE_DIR) + "/verification/cases/";
 
 /// Factors fall as the slope gets wet, to one at its failure: the last equilibrium of the run fails with strength less
