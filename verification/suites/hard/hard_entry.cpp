@@ -98,9 +98,10 @@ bool names_cost(const std::string& message) {
 }
 
 /// What may be planned of the budget, so that the run ends within it. Estimates are good to a factor of four at rest;
-/// of skeletons that move to twenty (explicit drag under a front that goes on), and a window needs no more than that.
+/// of skeletons that move to fifty (explicit drag when rain of 10 K_s fills the next cell), and a window needs no more
+/// than that.
 void check_plan(mpm::Problem<2> problem, HardScheme scheme) {
-  problem.cpu_budget /= scheme == HardScheme::moving_explicit_drag ? 40 : deforms(scheme) ? 8 : 4;
+  problem.cpu_budget /= scheme == HardScheme::moving_explicit_drag ? 160 : deforms(scheme) ? 8 : 4;
   mpm::plan(problem);
 }
 
