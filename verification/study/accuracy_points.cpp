@@ -164,6 +164,24 @@ std::vector<Setting> settings_in(const Window& window, const Scene& scene, const
   return settings;
 }
 
+struct Cost {
+  double budget, per_second;  ///< s of CPU; of the whole stage on the finest cells
+};
+
+/// The longest window, up to half of `whole`, whose own plan keeps within the budget on the finest cells: steps there
+/// may be shorter than those of the stage as a whole.
+Window affordable(const Scene& scene, const SchemeChoice& choice, double whole, double last, const Cost& cost) {
+  double length = rounded_down(std::min(cost.budget / cost.per_second, 0.5 * whole));
+  for (; length > 1e-7 * last; length = rounded_down(0.5 * length)) {
+    const Window window{last - length, last};
+    std::vector<Setting> settings = settings_in(window, scene, choice);
+    std::string unused;
+    if (!set_cells(cell_counts(scene), factors[std::size(factors) - 1], settings, unused)) break;
+    if (expected_cpu(scene.path, {"", settings}) <= cost.budget) return window;
+  }
+  return {last, last};
+}
+
 }  // namespace
 
 std::vector<AccuracyPoint> accuracy_points(const Scene& scene) {
@@ -186,10 +204,10 @@ std::vector<AccuracyPoint> window_points(const Scene& scene, double budget) {
     if (!set_cells(counts, factors[std::size(factors) - 1], finest, unused)) continue;
     const double expected = expected_cpu(scene.path, {"", finest});
     if (!(expected > budget)) continue;
-    // Half is kept back: what a window costs is foretold from the driest soil, where steps are shortest or longest.
-    const double length = rounded_down(std::min(0.5 * budget / expected * (times.end() - begin), 0.5 * (last - begin)));
+    const Window window =
+        affordable(scene, choices[dear], last - begin, last, {budget, expected / (times.end() - begin)});
+    const double length = window.to - window.from;
     if (!(length > 1e-7 * last)) continue;  // shorter than a scene can say
-    const Window window{last - length, last};
     const std::string name = fmt::format("from {:.7g} s for {:.3g} s", window.from, length);
     for (std::size_t k = 0; k <= dear; ++k)
       for (const double factor : factors) {
