@@ -78,7 +78,7 @@ reports::Table safety_table(const std::vector<SafetyRow>& rows) {
       section,
       "Strength reduction: c', tan phi' and tan psi over F, pore pressures held, until the body fails "
       "by the criterion of its stage. Infinite slope: least over depth, from the same pressures.",
-      {"time [s]", "strength reduction", "trials (no nearer to rest)", "CPU [s]", "infinite slope, tan phi'",
+      {"time [s]", "strength reduction", "trials (out of iterations)", "CPU [s]", "infinite slope, tan phi'",
        "at depth [m]", "Davis' strength", "at depth [m]", "as strength reduction"},
       {}};
   for (const SafetyRow& row : rows) {
