@@ -1,6 +1,8 @@
 #include "verification/present/body_figures.h"
 
 #include "meshes/mesh.h"
+#include "reports/film.h"
+#include "verification/present/body_film.h"
 #include "verification/present/slide_figures.h"
 
 #include <gtest/gtest.h>
@@ -40,6 +42,32 @@ TEST(BodyFigures, AreNotThereForARigidSkeleton) {
   meshes::FieldHistory rigid = history();
   rigid.snapshots[0].node_displacement.clear();
   EXPECT_TRUE(body_figures(rigid).empty());
+}
+
+/// A compared field before failure is a frame while its points keep their cells, and none once they may have changed
+/// order.
+TEST(BodyFilms, BeginUnderTheRain) {
+  meshes::FieldHistory run = history();
+  meshes::Snapshot rain = run.snapshots[0];
+  const auto moved = [&rain](double time, double by) {
+    meshes::Snapshot one = rain;
+    one.time = time;
+    for (meshes::Point& place : one.points.position) place[0] += by;
+    return one;
+  };
+  run.snapshots = {moved(1, 0.05), moved(2, 0.3)};
+  mpm::BodyRecord body;
+  for (const double time : {3.0, 4.0}) {
+    mpm::Picture picture{moved(time, 0.1 * time), time == 3 ? "failure" : "rest", {}};
+    picture.displacement.assign(rain.points.position.size(), {0.1 * time, 0, 0});
+    body.pictures.push_back(picture);
+  }
+  const auto films = body_films(Scene{}, run, body);
+  ASSERT_EQ(films.size(), 1u);
+  ASSERT_EQ(films[0].frames.size(), 3u);
+  EXPECT_EQ(films[0].frames[0].time, 1);
+  EXPECT_NEAR(reports::film_value(films[0], 0, 2, 0), 0.05, 1e-4);
+  EXPECT_EQ(films[0].frames[1].label, "failure");
 }
 
 /// What is known, what came out, and what came out on the second mesh stand in one row.
