@@ -171,6 +171,10 @@ struct Soil {
   /// K_0 = sigma'_h/sigma'_v of the initial stress where the problem asks for it; absent: nu/(1-nu).
   std::optional<double> earth_pressure_at_rest{};
 };
+/// Whether the soil's strength needs the suction of its points.
+inline bool strengthened_by_suction(const Soil& soil) {
+  return soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law);
+}
 
 /// Piecewise linear in time, constant before the first and after the last entry; two entries at one time are a jump.
 /// Schemes step exactly onto every time. Empty: not given.

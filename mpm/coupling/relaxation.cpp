@@ -193,20 +193,19 @@ typename Relaxer<dim>::Outcome Relaxer<dim>::run_weakened() {
   cycle_->move->run();
   cycle_->migrate->run();
   begin_step();
-  // A weakened body may creep for long before it slides: StallWatch, which counts in crossings, leaves it alone.
-  crossing_ = std::max(crossing_, most_iterations_);
-  return run();
+  // A weakened body may creep for long before it slides: StallWatch leaves it alone.
+  return relax(most_iterations_);
 }
 
 template <int dim>
-typename Relaxer<dim>::Outcome Relaxer<dim>::run() {
+typename Relaxer<dim>::Outcome Relaxer<dim>::relax(long stall_window) {
   const double wanted = plan_.stage.relaxation.unbalanced_ratio;
   cycle_->dt = safety * cycle_->stable_step();
   cycle_->damping = plan_.stage.relaxation.damping;
   start_.assign(displacement_->values().begin(), displacement_->values().end());
   energies_ = {};
   strongest_ = 0;
-  stall_.begin(3 * crossing_, no_creep * plan_.stage.failure.displacement);
+  stall_.begin(stall_window, no_creep * plan_.stage.failure.displacement);
   clear_velocities();
   Outcome outcome;
   bool elastic = elastic_possible_;
@@ -289,18 +288,25 @@ void RelaxationCounts::tell(meshes::FieldHistory& history) {
 }
 
 template <int dim>
+void add_relaxation(StagePlan<dim>& plan, std::function<typename Relaxer<dim>::Outcome()> relax) {
+  auto counts = std::make_shared<RelaxationCounts>();
+  plan.add(Phase::accelerate, "relaxation", [relax = std::move(relax), counts] { counts->add(relax()); });
+  plan.at_record([counts](double, meshes::FieldHistory& history) { counts->tell(history); });
+}
+
+template <int dim>
 void QuasiStaticMotion<dim>::join(StagePlan<dim>& plan) {
   relaxer_ = std::make_unique<Relaxer<dim>>(plan, cycle_);
-  auto counts = std::make_shared<RelaxationCounts>();
-  plan.add(Phase::accelerate, "relaxation", [this, counts] {
+  add_relaxation<dim>(plan, [this] {
     relaxer_->begin_step();
-    counts->add(relaxer_->run());
+    return relaxer_->run();
   });
-  plan.at_record([counts](double, meshes::FieldHistory& history) { counts->tell(history); });
 }
 
 template class Relaxer<2>;
 template class Relaxer<3>;
+template void add_relaxation<2>(StagePlan<2>&, std::function<Relaxer<2>::Outcome()>);
+template void add_relaxation<3>(StagePlan<3>&, std::function<Relaxer<3>::Outcome()>);
 template class QuasiStaticMotion<2>;
 template class QuasiStaticMotion<3>;
 

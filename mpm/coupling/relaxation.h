@@ -4,6 +4,8 @@
 #include "mpm/coupling/stall_watch.h"
 #include "mpm/skeleton/skeleton_cycle.h"
 
+#include <functional>
+
 namespace wetfront::mpm {
 
 /// Brings a deforming skeleton to rest under the forces that act on it (README.md section 3): elastic corrections as
@@ -34,13 +36,15 @@ class Relaxer {
   /// Throws StepFailed when the state does not come to rest: with the ratio, how far it has moved, and whether it still
   /// speeds up. In a stage that ends with failure: SkeletonFailed by its FailureCriterion, where the displacement is
   /// that since the beginning of the step.
-  Outcome run();
+  Outcome run() { return relax(3 * crossing_); }
   /// The same with stress brought back to what the soil bears now, first: for a soil that has become weaker, whose
   /// stress is still in balance.
   Outcome run_weakened();
 
  private:
   class Listener;
+  /// `stall_window`: iterations of StallWatch.
+  Outcome relax(long stall_window);
   double imbalance();
   double kinetic_energy() const;
   void clear_velocities();
@@ -66,6 +70,10 @@ class Relaxer {
   std::vector<double> start_, step_start_;  ///< displacement when the relaxation and the step of the plan began
   std::array<double, 4> energies_{};        ///< largest kinetic energy of the last wave crossings, newest first [J]
 };
+
+/// Each step of the plan is one relaxation: adds it to the plan, with its counts in the history.
+template <int dim>
+void add_relaxation(StagePlan<dim>& plan, std::function<typename Relaxer<dim>::Outcome()> relax);
 
 /// A stage without liquid: each step of the plan is one relaxation.
 template <int dim>

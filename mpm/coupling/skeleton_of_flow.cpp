@@ -20,10 +20,8 @@ void SkeletonOfFlow<dim>::join(StagePlan<dim>& plan, NodalWater<dim>& water, con
   value_ = &plan.provide_on_points(shape_value_spec<dim>());
   gradient_ = &plan.provide_on_points(shape_gradient_spec<dim>());
   pore_stress_ = &plan.provide_on_points({"pore stress", "chi p", "Pa"});
-  const bool needs_suction = std::ranges::any_of(plan.problem.soils, [](const Soil& soil) {
-    return soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law);
-  });
-  if (needs_suction) suction_ = &plan.provide_on_points({"suction", "chi s", "Pa"});
+  if (std::ranges::any_of(plan.problem.soils, strengthened_by_suction))
+    suction_ = &plan.provide_on_points({"suction", "chi s", "Pa"});
   join_own();
 }
 

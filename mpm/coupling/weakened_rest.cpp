@@ -12,16 +12,12 @@ void WeakenedRest<dim>::join(StagePlan<dim>& plan) {
     plan.provide_on_points({"pore stress", "chi p", "Pa"});
     plan.provide_on_points({"water", "W", dim == 2 ? "m2" : "m3"});
     plan.provide_on_nodes({"pressure", "p", "Pa"});  // contact looks at it
-    const bool needs_suction = std::ranges::any_of(plan.problem.soils, [](const Soil& soil) {
-      return soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law);
-    });
-    if (needs_suction) plan.provide_on_points({"suction", "chi s", "Pa"});
+    if (std::ranges::any_of(plan.problem.soils, strengthened_by_suction))
+      plan.provide_on_points({"suction", "chi s", "Pa"});
     cycle_->conditions.push_back(std::make_unique<WaterPull<dim>>(plan));
   }
   relaxer_ = std::make_unique<Relaxer<dim>>(plan, cycle_);
-  auto counts = std::make_shared<RelaxationCounts>();
-  plan.add(Phase::accelerate, "relaxation", [this, counts] { counts->add(relaxer_->run_weakened()); });
-  plan.at_record([counts](double, meshes::FieldHistory& history) { counts->tell(history); });
+  add_relaxation<dim>(plan, [this] { return relaxer_->run_weakened(); });
 }
 
 template class WeakenedRest<2>;

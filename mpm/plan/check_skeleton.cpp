@@ -111,6 +111,12 @@ void check_skeleton(const Problem<dim>& problem) {
     throw CannotPlan(
         "an initial stress, velocity or body acceleration of a rigid skeleton (nothing would move). Give "
         "the soils `elastic`, or remove it");
+  if (problem.initial_velocity && problem.stages.front().motion == SkeletonMotion::quasi_static)
+    throw CannotPlan(
+        problem.stages.front().origin +
+        ": an initial velocity is given, but the first stage is quasi-static "
+        "(it goes from equilibrium to equilibrium, so the velocity would be lost). Let the skeleton move in "
+        "true time, or remove it");
 }
 
 template void check_skeleton(const Problem<2>&);

@@ -148,8 +148,7 @@ void DeformingSkeleton<dim>::choose_laws(StagePlan<dim>& plan) {
   };
   const SoilMotionSetting<dim> setting{c_, grid.smallest_altitudes(), memory};
   for (const Soil& soil : plan.problem.soils) {
-    if (soil.law && std::holds_alternative<SuctionMohrCoulomb>(*soil.law))
-      c_.suction = &plan.require_on_points("suction");
+    if (strengthened_by_suction(soil)) c_.suction = &plan.require_on_points("suction");
     if (splines_)
       soils_.push_back(make_soil_motion<dim>(soil, SplineShape<dim>(*splines_), setting));
     else

@@ -151,6 +151,12 @@ const Spoilt skeletons[] = {
        p.initial_stress = InitialStress::k0;
      },
      "rigid skeleton"},
+    {"VelocityBeforeEquilibrium",
+     [](auto& p) {
+       p.stages[0].motion = SkeletonMotion::quasi_static;
+       p.initial_velocity = [](const auto&) { return std::array{1.0, 0.0}; };
+     },
+     "an initial velocity is given, but the first stage is quasi-static"},
 };
 INSTANTIATE_TEST_SUITE_P(All, CheckSkeleton, ::testing::ValuesIn(skeletons),
                          [](const auto& info) { return std::string(info.param.name); });
