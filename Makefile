@@ -3,7 +3,7 @@ SHELL := /bin/bash
 BUILD := build/release
 JOBS := $(shell nproc)
 SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml)) verification/cases/levee/scene.toml verification/cases/column_collapse/scene.toml \
-	verification/cases/deforming_column/seepage.toml verification/cases/small_slope/scene.toml verification/cases/moriwaki_flume/scene.toml
+	verification/cases/deforming_column/seepage.toml verification/cases/deforming_column/two_velocities_window.toml verification/cases/small_slope/scene.toml verification/cases/moriwaki_flume/scene.toml
 SUITES := reference hydraulics hard mechanics
 
 .PHONY: report test bench build program deps format clean

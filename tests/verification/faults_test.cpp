@@ -1,6 +1,6 @@
 // Faults switched on in the candidate only; each must turn at least one verdict of an otherwise passing scene to FAIL.
 // The gates proved here are those of verification/cases/seed_column/scene_1.5e-4_smin0.87.toml and
-// window_3e-5_smin0.87.toml.
+// window_3e-5_smin0.87.toml, and of deforming_column/two_velocities_window.toml.
 #include "verification/compare/verdict.h"
 #include "verification/run/run_scene.h"
 #include "verification/scene/read.h"
@@ -21,15 +21,18 @@ struct Judged {
   ReferenceRuns reference;
 };
 
-Judged seed(const std::string& name) {
-  Prepared prepared = prepare(
-      read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) / "verification/cases/seed_column" / (name + ".toml")));
-  if (prepared.problem.stages.size() > 1) {  // half a window shows every fault, and some make it slow
-    prepared.problem.output_times.resize(2);
-    prepared.problem.stages.back().end_time = prepared.problem.output_times.back();
-  }
+Judged judged(const std::string& name) {
+  Prepared prepared =
+      prepare(read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) / "verification/cases" / (name + ".toml")));
   ReferenceRuns reference = solve_references(prepared.scene, prepared.timeline, {});
   return {std::move(prepared), std::move(reference)};
+}
+
+/// Half a window shows every fault of a rigid skeleton, and some make it slow.
+void halve_window(mpm::Problem<2>& problem) {
+  if (problem.stages.size() == 1) return;
+  problem.output_times.resize(2);
+  problem.stages.back().end_time = problem.output_times.back();
 }
 
 /// Names of the quantities that FAIL once the fault is in.
@@ -70,7 +73,8 @@ void dropped_gravity(mpm::Problem<2>& problem) {
 class Faults : public testing::TestWithParam<std::string> {};
 
 TEST_P(Faults, EachIsCaughtAndNoneIsSeenWithoutOne) {
-  const Judged scene = seed(GetParam());
+  Judged scene = judged("seed_column/" + GetParam());
+  halve_window(scene.prepared.problem);
   EXPECT_TRUE(failing(scene, [](auto&) {}).empty());
   EXPECT_TRUE(failing(scene, rain_times_093).contains("rain_asked"));
   EXPECT_TRUE(failing(scene, misprinted_exponent).contains("pressure_l2"));
@@ -83,6 +87,15 @@ INSTANTIATE_TEST_SUITE_P(Seepage, Faults, testing::Values("scene_1.5e-4_smin0.87
                          [](const auto&) { return "scene_1_5e_4"; });
 INSTANTIATE_TEST_SUITE_P(ImplicitDrag, Faults, testing::Values("window_3e-5_smin0.87"),
                          [](const auto&) { return "window_3e_5"; });
+
+/// Two velocities on a skeleton that deforms, against a reference with the storage of one: a skeleton ten times as
+/// stiff stores a tenth of it.
+TEST(FaultsOfASkeleton, ItsStorageIsSeenByTwoVelocities) {
+  const Judged scene = judged("deforming_column/two_velocities_window");
+  EXPECT_TRUE(failing(scene, [](auto&) {}).empty());
+  const auto stiff = [](mpm::Problem<2>& problem) { problem.soils[0].elastic->young *= 10; };
+  EXPECT_TRUE(failing(scene, stiff).contains("pressure_l2"));
+}
 
 }  // namespace
 }  // namespace wetfront::verification
