@@ -148,18 +148,17 @@ std::string whole_page(const std::string& title, const std::string& body) {
 
 std::string report_page(const Record& record, const std::vector<DrawnFigure>& drawn, const std::vector<PastRun>& past) {
   const std::string films = films_html(record);
-  std::string navigation = std::string("<nav>") + (films.empty() ? "" : "<a href=\"#section-motion\">Motion</a>") +
-                           "<a href=\"#section-verdicts\">Verdicts</a>";
-  std::string sections = films + "<section id=\"section-verdicts\"><h2>Verdicts</h2>\n" + verdict_table(record, past) +
-                         (record.findings.empty() ? "" : how_to_read) + section_content(record, drawn, "Verdicts") +
-                         "</section>\n";
-  for (const std::string& section : section_order(record)) {
-    const std::string content = section_content(record, drawn, section);
-    if (content.empty()) continue;
+  std::string navigation = std::string("<nav>") + (films.empty() ? "" : "<a href=\"#section-motion\">Motion</a>");
+  std::string sections = films;
+  const auto add = [&](const std::string& section, const std::string& content) {
+    if (content.empty()) return;
     navigation += "<a href=\"#section-" + anchor(section) + "\">" + html(section) + "</a>";
     sections +=
         "<section id=\"section-" + anchor(section) + "\"><h2>" + html(section) + "</h2>\n" + content + "</section>\n";
-  }
+  };
+  add("Verdicts", verdict_table(record, past) + (record.findings.empty() ? "" : how_to_read) +
+                      section_content(record, drawn, "Verdicts"));
+  for (const std::string& section : section_order(record)) add(section, section_content(record, drawn, section));
   return whole_page(record.title + " · wetfront",
                     header_html(record) + navigation + "</nav>\n<main>\n" + sections + "</main>\n");
 }

@@ -67,6 +67,18 @@ TEST(WriteResult, ThePageStandsAlone) {
   EXPECT_LT(page.size(), 2'000'000U);
 }
 
+TEST(WriteResult, SectionsWithoutContentAreNotThere) {
+  const TemporaryFolder desk;
+  Record record = testing::sample_record();
+  write_result(record, desk.path());
+  EXPECT_EQ(count_of(read_whole(desk.path() / "report.html"), "section-verdicts"), 2u)
+      << "its heading and the way to it";
+  record.findings.clear();
+  std::erase_if(record.tables, [](const Table& table) { return table.section == "Verdicts"; });
+  write_result(record, desk.path());
+  EXPECT_EQ(count_of(read_whole(desk.path() / "report.html"), "section-verdicts"), 0u);
+}
+
 TEST(WriteResult, AddressesAreFound) {
   EXPECT_THAT(addresses("<img src='x.png'><a href=\"#top\"><style>a{b:url(f.woff)}</style><link href=\"data:,\">"),
               ::testing::ElementsAre("f.woff", "x.png"));
