@@ -1,4 +1,5 @@
 // The program as a user meets it: exit codes, messages, files.
+#include "reports/whole_file.h"
 #include "tests/verification/program.h"
 
 #include <gmock/gmock.h>
@@ -6,7 +7,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 
 namespace wetfront::verification {
@@ -21,12 +21,6 @@ const std::string cases = WETFRONT_SOURCE_DIR "/verification/cases/";
 class CommandLine : public test::Program {
  protected:
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
-  static std::string read(const fs::path& path) {
-    std::ifstream in(path);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
 };
 
 TEST_F(CommandLine, RunLeavesReportResultFieldsAndTheScene) {
@@ -35,8 +29,8 @@ TEST_F(CommandLine, RunLeavesReportResultFieldsAndTheScene) {
   EXPECT_EQ(output.code, 0) << output.text;
   const fs::path out = folder / "out/scene_3e-5_smin0.87";
   EXPECT_TRUE(fs::exists(out / "report.html"));
-  EXPECT_EQ(read(out / "scene.toml"), read(scene));
-  EXPECT_THAT(read(out / "result.json"), HasSubstr("\"git_hash\""));
+  EXPECT_EQ(reports::read_whole(out / "scene.toml"), reports::read_whole(scene));
+  EXPECT_THAT(reports::read_whole(out / "result.json"), HasSubstr("\"git_hash\""));
   EXPECT_TRUE(fs::exists(out / "fields/mpm_points.pvd"));
   const Output again = wetfront("report out/scene_3e-5_smin0.87");
   EXPECT_EQ(again.code, 0) << again.text;
@@ -46,11 +40,11 @@ TEST_F(CommandLine, SeveralScenesShareAnIndex) {
   const Output output = wetfront("run --out both " + cases + "seed_column/scene_3e-5_smin0.87.toml " + cases +
                                  "seed_column/scene_1.5e-4_smin0.87.toml");
   EXPECT_EQ(output.code, 0) << output.text;
-  EXPECT_THAT(read(folder / "both/index.html"), HasSubstr("scene_1.5e-4_smin0.87/report.html"));
+  EXPECT_THAT(reports::read_whole(folder / "both/index.html"), HasSubstr("scene_1.5e-4_smin0.87/report.html"));
 }
 
 TEST_F(CommandLine, AMissedToleranceExitsWith1) {
-  std::string scene = read(cases + "seed_column/scene_3e-5_smin0.87.toml");
+  std::string scene = reports::read_whole(cases + "seed_column/scene_3e-5_smin0.87.toml");
   scene += "\n[[tolerance]]\nquantity = \"pressure_linf\"\nvalue = \"0.01 %\"\nreason = \"to be missed\"\n";
   write("missed.toml", scene);
   const Output output = wetfront("run missed.toml");
@@ -91,12 +85,12 @@ reason = "held as far as it came"
   EXPECT_EQ(output.code, 3) << output.text;
   EXPECT_THAT(output.text, HasSubstr("gave up: "));
   EXPECT_THAT(output.text, HasSubstr("stopped: INCONCLUSIVE"));
-  EXPECT_THAT(read(folder / "out/stopped/result.json"), HasSubstr("\"verdict\": \"inconclusive\""));
+  EXPECT_THAT(reports::read_whole(folder / "out/stopped/result.json"), HasSubstr("\"verdict\": \"inconclusive\""));
 }
 
 TEST_F(CommandLine, RainThatAllRunsOffIsNotComparedByItsRoundOff) {
   ASSERT_EQ(wetfront("new full").code, 0);
-  std::string scene = read(folder / "full.toml");
+  std::string scene = reports::read_whole(folder / "full.toml");
   const auto change = [&scene](const std::string& from, const std::string& to) {
     ASSERT_NE(scene.find(from), std::string::npos) << from;
     scene.replace(scene.find(from), from.size(), to);
@@ -124,7 +118,7 @@ TEST_F(CommandLine, BadInputExitsWith2AndRunsNothing) {
 
 TEST_F(CommandLine, AFolderThatCannotBeWrittenIsSaidBeforeTheRun) {
   write("in_the_way", "");
-  std::string scene = read(cases + "seed_column/scene_3e-5.toml");
+  std::string scene = reports::read_whole(cases + "seed_column/scene_3e-5.toml");
   scene.replace(scene.find("cells = 320"), 11, "cells = 100000");  // hours, were it run first
   write("long.toml", scene);
   const Output output = wetfront("run long.toml --out in_the_way");
@@ -159,10 +153,11 @@ TEST_F(CommandLine, ReferenceReportsItsOwnError) {
 TEST_F(CommandLine, VerifyRunsTheChosenCasesOfASuite) {
   const Output output = wetfront("verify reference --only srivastava_yeh_wetting");
   EXPECT_EQ(output.code, 0) << output.text;
-  const std::string index = read(folder / "out/verify_reference/index.html");
+  const std::string index = reports::read_whole(folder / "out/verify_reference/index.html");
   for (const char* name : {"srivastava_yeh_wetting_10", "srivastava_yeh_wetting_1", "water_", "DoF"})
     EXPECT_THAT(index, HasSubstr(name));
-  EXPECT_THAT(read(folder / "out/verify_reference/srivastava_yeh_wetting_1/result.json"), HasSubstr("\"order\""));
+  EXPECT_THAT(reports::read_whole(folder / "out/verify_reference/srivastava_yeh_wetting_1/result.json"),
+              HasSubstr("\"order\""));
   EXPECT_EQ(wetfront("verify moon").code, 2);
   EXPECT_EQ(wetfront("verify reference --only moon").code, 2);
 }
@@ -176,7 +171,7 @@ TEST_F(CommandLine, ADrySceneRunsWithoutAReference) {
 TEST_F(CommandLine, WhatCameOutStandsBesideThatOfASecondMesh) {
   const std::string coarse = " --set geometry.profile.cells_along=12 --set geometry.profile.cells_over=4";
   ASSERT_EQ(wetfront("run " + cases + "small_slope/scene.toml" + coarse).code, 0);
-  const std::string result = read(folder / "out/small_slope/result.json");
+  const std::string result = reports::read_whole(folder / "out/small_slope/result.json");
   EXPECT_THAT(result, HasSubstr("on twice the cell size"));
   EXPECT_THAT(result, HasSubstr("MPM on twice the cell size: stage 'slide' ends"));
   const Output none = wetfront("run " + cases + "dry_column/scene.toml --set comparison.second_mesh=coarser");

@@ -1,13 +1,12 @@
 // A run killed without warning goes on to the same bits, in whichever stage it was hit.
+#include "reports/whole_file.h"
 #include "tests/verification/program.h"
 
 #include <gmock/gmock.h>
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -24,11 +23,8 @@ class Resume : public test::Program {
   std::map<std::string, std::string> left_by(const std::string& run) const {
     std::map<std::string, std::string> files;
     for (const char* part : {"fields", "figures"})
-      for (const auto& entry : fs::directory_iterator(folder / run / part)) {
-        std::ostringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
-        files[part + ("/" + entry.path().filename().string())] = text.str();
-      }
+      for (const auto& entry : fs::directory_iterator(folder / run / part))
+        files[part + ("/" + entry.path().filename().string())] = reports::read_whole(entry.path());
     return files;
   }
 

@@ -1,9 +1,8 @@
 // `wetfront study safety`: the factor of safety of a slope while it is rained on.
+#include "reports/whole_file.h"
 #include "tests/verification/program.h"
 
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace wetfront::verification {
 namespace {
@@ -17,8 +16,7 @@ TEST_F(SafetyStudy, FollowsASlopeToItsFailure) {
   const auto out =
       wetfront("study safety " + cases + "small_slope/scene.toml --times 0,120,500 --out s --tolerance 0.05");
   ASSERT_EQ(out.code, 0) << out.text;
-  std::ifstream file(folder / "s" / "result.json");
-  const nlohmann::json result = nlohmann::json::parse(file);
+  const nlohmann::json result = nlohmann::json::parse(reports::read_whole(folder / "s" / "result.json"));
   const auto& table = result.at("tables").at(0);
   ASSERT_EQ(table.at("title"), "Factors of safety");
   const auto& rows = table.at("rows");

@@ -238,6 +238,21 @@ TEST(Translate, ASurfaceInsideCellsLiesBelowTheTopOfTheGrid) {
   EXPECT_EQ(std::get<mpm::RainSide>(mpm_sides(scene)[0]).side, mpm::free_surface);
 }
 
+/// Softer water is the MPM's own choice, which the reference must not follow: else no comparison would show its cost.
+TEST(Translate, SoftenedWaterIsTheMpmsAlone) {
+  Scene scene =
+      read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) / "verification/cases/seed_column/scene_3e-5.toml");
+  const auto modulus = [&] { return to_mpm(scene, mpm_mesh(scene), timeline(scene)).water->bulk_modulus; };
+  const auto storage = [&] { return reference_soil(scene, scene.soils[0], 2).specific_storage; };
+  const double before = modulus(), stored = storage();
+  scene.mpm.water_softening = 0.1;
+  EXPECT_NEAR(modulus(), 0.1 * before, 1e-6 * before);
+  EXPECT_EQ(storage(), stored);
+  scene.soils[0].specific_storage = 1e-4;
+  EXPECT_NEAR(*mpm_soil(scene, scene.soils[0]).storage, 10 * 1e-4 / 9810, 1e-12)
+      << "storage that the scene gives is softened, too";
+}
+
 /// Circles of a paraboloid, cut by the edge of the square: each piece is closed or ends on the edge.
 TEST(Contours, FollowTheirLevel) {
   Scene scene = case_scene("dry_layers");

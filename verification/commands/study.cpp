@@ -1,6 +1,7 @@
 #include "verification/study/study.h"
 #include "reports/write.h"
 #include "verification/commands/commands.h"
+#include "verification/compare/body_outcomes.h"
 #include "verification/compare/verdict.h"
 #include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
@@ -63,6 +64,11 @@ struct Kind {
   bool verdicts_count = true;
 };
 
+/// Once, before workers would all do it.
+void solve_its_references(const Scene& scene, const ReferenceStore& store) {
+  if (scene.reference) solve_references(scene, timeline(scene), store);
+}
+
 /// Lists the points, computes one of them, or all of them or gathers them, with a page over what they left.
 int run_study(const StudyRequest& request, const Kind& kind) {
   if (request.list) return list(kind.points);
@@ -88,29 +94,32 @@ int study_vary(const StudyRequest& request) {
   const std::vector<Variation> variations = variations_of(request);
   if (variations.empty())
     throw std::invalid_argument("study vary: nothing is varied (no --set). Add e.g. --set rain.intensity=1e-5,2e-5");
+  const Scene scene = read_scene(request.scene);
   Kind kind;
   kind.name = "vary";
   kind.points = product(variations);
   kind.what = fmt::format("{} points", kind.points.size());
   for (const StudyPoint& point : kind.points) point_hash(request.scene, point);  // complains of paths that lead nowhere
-  kind.page = [&](const auto& results, const auto& out) { return vary_page(request.scene, variations, results, out); };
+  kind.page = [&](const auto& results, const auto& out) { return vary_page(scene, variations, results, out); };
   return run_study(request, kind);
 }
 
 int study_accuracy(const StudyRequest& request, double budget) {
   const Scene scene = read_scene(request.scene);
-  if (!scene.reference)
+  if (!scene.reference && !follows_a_body(scene))
     throw SceneError(
-        {request.scene.string() + ":1:1: the scene has no reference (errors could not be told). Add [reference]."});
+        {request.scene.string() +
+         ":1:1: the scene has no reference and follows no body (errors could not be told). Add [reference], or a "
+         "[[rider]]."});
   auto points = accuracy_points(scene);
   std::ranges::move(window_points(scene, budget), std::back_inserter(points));
   Kind kind;
   kind.name = "accuracy";
   for (const AccuracyPoint& one : points) kind.points.push_back(one.point);
   kind.what = fmt::format("{} settings", points.size());
-  kind.before = [&] { solve_references(scene, timeline(scene), request.store); };
+  kind.before = [&] { solve_its_references(scene, request.store); };
   kind.page = [&](const auto& results, const auto& out) {
-    return accuracy_page(request.scene, points, results, reference_costs(scene, request.store), out);
+    return accuracy_page(scene, points, results, reference_costs(scene, request.store), out);
   };
   kind.budget = budget;
   kind.verdicts_count = false;  // coarse settings are meant to miss
@@ -125,10 +134,8 @@ int study_effects(const StudyRequest& request, double budget) {
   for (const EffectChange& change : changes) kind.points.push_back(change.point);
   kind.what = fmt::format("{} effects",
                           std::ranges::count_if(changes, [](const EffectChange& one) { return !one.how.empty(); }));
-  kind.before = [&] {
-    if (scene.reference) solve_references(scene, timeline(scene), request.store);
-  };
-  kind.page = [&](const auto& results, const auto& out) { return effects_page(request.scene, changes, results, out); };
+  kind.before = [&] { solve_its_references(scene, request.store); };
+  kind.page = [&](const auto& results, const auto& out) { return effects_page(scene, changes, results, out); };
   kind.after = [&](const auto& out) {
     for (const std::string& sentence : stored_effects(scene, out)) fmt::print("  {}\n", sentence);
   };

@@ -146,8 +146,11 @@ class Body {
 }  // namespace
 
 bool follows_a_body(const Scene& scene) {
-  return !scene.riders.empty() ||
-         std::ranges::any_of(scene.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; });
+  return !scene.riders.empty() || has_events(scene);
+}
+
+bool told_the_other_way(const Outcome& outcome) {
+  return outcome.name.starts_with("interval:") && outcome.value < 0;
 }
 
 std::vector<Outcome> body_outcomes(const Scene& scene, const meshes::FieldHistory& history,

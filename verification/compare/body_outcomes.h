@@ -26,4 +26,7 @@ std::vector<Outcome> body_outcomes(const Scene& scene, const meshes::FieldHistor
 /// means; empty for any other, and for what did not happen.
 std::string in_words(const Outcome& outcome);
 
+/// Whether it is an interval that is negative: the same pair of gauges stands there the other way round, too.
+bool told_the_other_way(const Outcome& outcome);
+
 }  // namespace wetfront::verification

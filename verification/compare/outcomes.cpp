@@ -74,8 +74,7 @@ class Outcomes {
   }
 
   void motion() {
-    const bool deforms = std::ranges::any_of(scene_.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
-    if (!deforms) return;
+    if (!deforms(scene_)) return;
     double largest = history_.snapshots.empty() ? never : 0;
     if (!history_.snapshots.empty())
       for (const meshes::Point& u : history_.snapshots.back().node_displacement)

@@ -3,6 +3,7 @@
 #include "meshes/evaluate.h"
 #include "verification/exact/infinite_slope.h"
 #include "verification/translate/initial_pressure.h"
+#include "verification/translate/lay_soils.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,16 +32,6 @@ std::optional<Place> steepest(const Geometry& geometry) {
     if (angle > found.angle + 1e-9) found = {0.5 * (x[k] + x[k - 1]), angle};
   }
   return found.angle > 0 ? std::optional(found) : std::nullopt;
-}
-
-const Soil* soil_at(const Scene& scene, double x, double elevation) {
-  if (scene.geometry.layers.empty()) return &scene.soils.front();
-  const std::vector<double> bottoms = layer_bottoms(scene.geometry, x);
-  for (std::size_t k = 0; k < bottoms.size(); ++k)
-    if (elevation >= bottoms[k] || k + 1 == bottoms.size())
-      for (const Soil& soil : scene.soils)
-        if (soil.name == scene.geometry.layers[k].soil) return &soil;
-  return nullptr;
 }
 
 bool frictional(const Soil& soil) {
@@ -93,8 +84,9 @@ std::optional<SlopeFactors> slope_factors(const Scene& scene, const meshes::Mesh
   double above = 0, unused = 0;  // weight per horizontal area
   for (int k = 0; k < slices; ++k) {
     const double middle = (k + 0.5) * step, depth = (k + 1) * step;
-    const Soil* soil = soil_at(scene, place->x, top - middle);
-    if (soil == nullptr) return {};
+    const auto soil =
+        std::ranges::find(scene.soils, soil_at(scene, {place->x, top - middle, 0}, mesh.dim), &Soil::name);
+    if (soil == scene.soils.end()) return {};
     const double water = wet ? soil->porosity * value(snapshot.node_saturation, middle) * scene.water->density : 0;
     above += ((1 - soil->porosity) * soil->grain_density + water) * g * step;
     // The lower end of a slice a hair inside of it: the last lies on the border of the mesh.

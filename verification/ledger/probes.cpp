@@ -181,7 +181,7 @@ CauseShares Probes::limit(const std::string& cause, const std::string& what, int
 bool Probes::beyond_richards() const {
   return std::ranges::any_of(it_.scene.stages,
                              [](const Stage& stage) { return stage.scheme && *stage.scheme != Scheme::seepage; }) ||
-         std::ranges::any_of(it_.scene.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
+         deforms(it_.scene);
 }
 
 CauseShares Probes::physics() {

@@ -142,7 +142,7 @@ reports::Table outcome_table(const std::vector<Outcome>& outcomes, const std::op
   reports::Table table{"What came out", "The slide", doubt(second), {"quantity", "what", "value"}, {}};
   if (second) table.header.push_back(second->cells);
   for (const Outcome& one : outcomes) {
-    if (one.name.starts_with("interval:") && one.value < 0) continue;  // the same pair stands there the other way round
+    if (told_the_other_way(one)) continue;
     table.rows.push_back({one.name, one.description, number(&one)});
     if (second) table.rows.back().push_back(number(find_outcome(second->outcomes, one.name)));
   }

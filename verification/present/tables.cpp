@@ -122,6 +122,9 @@ Table setup_table(const Scene& scene, const Timeline& timeline) {
     table.rows.push_back(
         {"water", fmt::format("{:g} kg/m3, bulk modulus {:g} GPa, viscosity {:g} Pa s", scene.water->density,
                               scene.water->bulk_modulus / 1e9, scene.water->viscosity)});
+  if (scene.mpm.water_softening < 1)
+    table.rows.push_back({"water of the MPM", fmt::format("softened: {:g} of that bulk modulus, for longer steps",
+                                                          scene.mpm.water_softening)});
   if (scene.initial) table.rows.push_back({"initial state", start_text(*scene.initial)});
   for (const Layer& layer : scene.geometry.layers) table.rows.push_back({"layer", layer_text(layer)});
   for (const Zone& zone : scene.geometry.zones)
@@ -133,11 +136,10 @@ Table setup_table(const Scene& scene, const Timeline& timeline) {
     table.rows.push_back({"evaporation", evaporation_text(evaporation)});
   for (const Boundary& boundary : scene.boundaries)
     if (boundary.water) table.rows.push_back({"water at '" + boundary.side + "'", boundary_text(boundary)});
-  const bool deforms = std::ranges::any_of(scene.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
   for (const Boundary& boundary : scene.boundaries)
     if (const std::string text = skeleton_side_text(boundary); !text.empty())
       table.rows.push_back({"skeleton at '" + boundary.side + "'", text});
-  if (deforms) table.rows.push_back({"skeleton", skeleton_text(scene.skeleton)});
+  if (deforms(scene)) table.rows.push_back({"skeleton", skeleton_text(scene.skeleton)});
   if (timeline.filling_time)
     table.rows.push_back({"filling time", fmt::format("{:.6g} s (storage deficit / rain)", *timeline.filling_time)});
   for (std::size_t i = 0; i < scene.stages.size(); ++i)

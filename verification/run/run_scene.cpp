@@ -85,10 +85,10 @@ std::optional<OnSecondMesh> on_second_mesh(reports::Record& record, const Prepar
   if (factor == 1 || !candidate.gave_up.empty()) return {};
   const std::string cells = factor > 1 ? "on half the cell size" : "on twice the cell size", who = "MPM " + cells;
   try {
-    const Scene scene = with_finer_cells(prepared.scene, factor);
-    const Solved solved = run_candidate(to_mpm(scene, mpm_mesh(scene), prepared.timeline));
+    const Prepared second = prepare(with_finer_cells(prepared.scene, factor));
+    const Solved solved = run_candidate(second.problem);
     note_solver(record, who, solved);
-    return OnSecondMesh{cells, body_outcomes(scene, solved.history, solved.body)};
+    return OnSecondMesh{cells, body_outcomes(second.scene, solved.history, solved.body)};
   } catch (const std::exception& problem) {
     record.log.push_back(who + ": not run: " + problem.what());
     return {};

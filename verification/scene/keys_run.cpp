@@ -47,6 +47,7 @@ std::vector<Key> run_keys() {
     {"mpm", "points_per_cell", Takes::count, "", optional, "4", "material points per cell, a square number", "4", {"1", "25"}},
     {"mpm", "threads", Takes::count, "", optional, "1", "of the kernels over cells; results do not depend on it", "2", {"1", "256"}},
     {"mpm", "surface_in_cell", Takes::quantity, "1", optional, "1", "filled fraction of the topmost row of cells: below 1 the surface lies inside them, as it does once a body moves", "0.3", {"0.01", "1"}},
+    {"mpm", "water_softening", Takes::quantity, "1", optional, "1", "bulk modulus of the MPM's water over the scene's, which the reference keeps: below 1 the water is softer, so that two velocities may take longer steps; the comparison shows what that costs", "0.1", {"1e-4", "1"}},
     {"mpm", "rainfall", Takes::choice, "", optional, "standard", "where rain enters when the surface lies inside cells; the named ones of the literature are there for research", "standard", {}, {"standard", "martinelli-2020", "bandara-2016", "consistent-flux"}},
     {"mpm", "accuracy", Takes::quantity, "1", optional, "", "cells and time steps are refined until the run's own estimated error of pressure (relative L2 at the comparison times) is within this; as the scene's cells give it when absent", "1 %", {"1e-6", "0.5"}},
     {"mpm", "cpu_budget", Takes::quantity, "s", optional, "1 d", "CPU time that the run may take: a plan that expects more is refused, a run that takes more stops and keeps what it has", "600 s", {"1 ms", "1000 d"}},

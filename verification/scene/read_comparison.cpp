@@ -165,7 +165,7 @@ void read_second_mesh(SectionReader& section, Scene& scene) {
   if (std::holds_alternative<MeshFile>(scene.geometry.shape))
     section.complain("second_mesh", {"a mesh of your own has no second one", "its cells cannot be changed by the scene",
                                      "Remove it, and run the scene with two mesh files."});
-  if (std::ranges::none_of(scene.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; }))
+  if (!has_events(scene))
     section.unused("second_mesh", "no stage of this scene ends with failure or rest, so nothing comes out of a slide",
                    "Remove it; `wetfront study accuracy` tells what cells cost.");
 }

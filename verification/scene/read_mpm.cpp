@@ -55,6 +55,9 @@ void read_mpm(Reading& reading) {
   mpm.origin = section->origin();
   mpm.points_per_cell = read_points(*section);
   mpm.surface_in_cell = section->quantity("surface_in_cell");
+  mpm.water_softening = section->quantity("water_softening");
+  if (section->has("water_softening") && !reading.scene.water)
+    section->unused("water_softening", "there is no [water] in this scene", "Remove it.");
   mpm.threads = section->count("threads");
   check_surface(*section, mpm.surface_in_cell, reading.scene);
   mpm.rain_entry = read_rain_entry(*section);

@@ -60,6 +60,7 @@ enum class RainEntry { standard, martinelli_2020, bandara_2016, consistent_flux 
 struct MpmSettings {
   int points_per_cell = 4;
   int threads = 1;
+  double water_softening = 1;  ///< bulk modulus of the MPM's water over the scene's, which the reference keeps
   double surface_in_cell = 1;  ///< filled fraction of the topmost row of cells, in (0, 1]
   RainEntry rain_entry = RainEntry::standard;
   double cpu_budget = 86400;  ///< s: nobody waits longer for what he did not mean to ask for
@@ -131,5 +132,10 @@ struct Scene {
   Comparison comparison;
   std::vector<Observation> observations;
 };
+
+/// Whether a soil is elastic: the skeleton of the scene deforms, with its own laws, sides and stages.
+bool deforms(const Scene& scene);
+/// Whether a stage ends with failure or rest.
+bool has_events(const Scene& scene);
 
 }  // namespace wetfront::verification

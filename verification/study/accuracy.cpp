@@ -43,18 +43,48 @@ std::optional<std::size_t> cheapest(const std::vector<PointResult>& results, con
   return best;
 }
 
-std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::string& quantity) {
+std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::vector<double>& errors) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (finished(results[i]) && std::isfinite(error_of(results[i], quantity))) order.push_back(i);
+    if (finished(results[i]) && std::isfinite(errors[i])) order.push_back(i);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return results[i].candidate_cpu; });
   std::vector<std::size_t> front;
   for (const std::size_t i : order)
-    if (front.empty() || error_of(results[i], quantity) < error_of(results[front.back()], quantity)) front.push_back(i);
+    if (front.empty() || errors[i] < errors[front.back()]) front.push_back(i);
   return front;
 }
 
+std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::string& quantity) {
+  std::vector<double> errors;
+  for (const PointResult& result : results) errors.push_back(error_of(result, quantity));
+  return pareto(results, errors);
+}
+
+std::optional<std::size_t> finest_with(const std::vector<AccuracyPoint>& points,
+                                       const std::vector<PointResult>& results, const std::string& outcome) {
+  std::optional<std::size_t> finest;
+  int count = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!finished(results[i]) || std::isnan(value_of(results[i].candidate, outcome))) continue;
+    ++count;
+    if (!finest || points[i].cells > points[*finest].cells) finest = i;
+  }
+  return count > 1 ? finest : std::nullopt;
+}
+
+std::vector<double> changes_from(const std::vector<PointResult>& results, std::size_t yardstick,
+                                 const std::string& outcome) {
+  const double wanted = value_of(results[yardstick].candidate, outcome);
+  std::vector<double> changes;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const bool counts = i != yardstick && finished(results[i]);
+    changes.push_back(counts ? std::abs(value_of(results[i].candidate, outcome) / wanted - 1) : std::nan(""));
+  }
+  return changes;
+}
+
 std::vector<ReferenceCost> reference_costs(const Scene& scene, const ReferenceStore& store) {
+  if (!scene.reference) return {};
   const Timeline times = timeline(scene);
   const auto on = [&](int cells) {
     Scene asked = scene;

@@ -41,16 +41,26 @@ std::optional<std::size_t> cheapest(const std::vector<PointResult>& results, con
                                     double target);
 
 /// Points that no other beats in both error and CPU seconds, by ascending cost.
+std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::vector<double>& errors);
 std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::string& quantity);
+
+/// The finished run on the finest cells in which this outcome happened; nothing where there are not two runs with it.
+std::optional<std::size_t> finest_with(const std::vector<AccuracyPoint>& points,
+                                       const std::vector<PointResult>& results, const std::string& outcome);
+/// How far each run's outcome is off from that of run `yardstick`, over its value; NaN for the yardstick itself and
+/// where it did not happen.
+std::vector<double> changes_from(const std::vector<PointResult>& results, std::size_t yardstick,
+                                 const std::string& outcome);
 
 /// Error of the reference on coarser meshes against the finest, over their CPU seconds.
 struct ReferenceCost {
   int cells;
   double cpu_seconds, error;
 };
+/// Empty where the scene has no reference.
 std::vector<ReferenceCost> reference_costs(const Scene& scene, const ReferenceStore& store);
 
-reports::Record accuracy_page(const std::filesystem::path& scene, const std::vector<AccuracyPoint>& points,
+reports::Record accuracy_page(const Scene& scene, const std::vector<AccuracyPoint>& points,
                               const std::vector<PointResult>& results, const std::vector<ReferenceCost>& reference,
                               const std::filesystem::path& out);
 

@@ -2,7 +2,6 @@
 #include "verification/compare/gates.h"
 #include "verification/present/figure_frame.h"
 #include "verification/scene/quantities.h"
-#include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
 #include "verification/study/study_page.h"
 
@@ -70,16 +69,14 @@ std::vector<std::string> windows_of(const std::vector<AccuracyPoint>& points) {
   return windows;
 }
 
-/// One curve per scheme, by cells or by what else was changed; `reference`: its own, or none.
-Figure work_precision(const Study& study, const Studied& about, const std::vector<ReferenceCost>& reference) {
-  const std::string quantity = about.quantity;
-  Figure figure =
-      figure_frame({"work_" + quantity, std::string("Error over CPU seconds: ") + about.name, "Error over cost"},
-                   {"CPU of the MPM", "s"}, {std::string("error of ") + about.name, in_metres(quantity) ? "m" : "1"});
+/// One curve per scheme, by cells or by what else was changed.
+Figure work_precision(const Study& study, const FigureHeading& heading, const FigureAxis& error_axis,
+                      const std::vector<double>& errors) {
+  Figure figure = figure_frame(heading, {"CPU of the MPM", "s"}, error_axis);
   figure.log_x = figure.log_y = true;
   std::vector<Series> curves;
   for (std::size_t i = 0; i < study.points.size(); ++i) {
-    const double error = error_of(study.results[i], quantity), cost = study.results[i].candidate_cpu;
+    const double error = errors[i], cost = study.results[i].candidate_cpu;
     if (!(error > round_off) || !std::isfinite(error) || !(cost > 0)) continue;
     const std::string& name = study.points[i].curve;
     auto curve = std::ranges::find(curves, name, &Series::label);
@@ -94,14 +91,25 @@ Figure work_precision(const Study& study, const Studied& about, const std::vecto
     figure.series.push_back({"", Series::Style::line, curve.x, curve.y, curve.colour});
   std::ranges::move(curves, std::back_inserter(figure.series));
   Series front{"Pareto front", Series::Style::dashed, {}, {}, next};
-  for (const std::size_t i : pareto(study.results, quantity)) {
-    if (!(error_of(study.results[i], quantity) > round_off)) continue;
+  for (const std::size_t i : pareto(study.results, errors)) {
+    if (!(errors[i] > round_off)) continue;
     front.x.push_back(study.results[i].candidate_cpu);
-    front.y.push_back(error_of(study.results[i], quantity));
+    front.y.push_back(errors[i]);
   }
   figure.series.push_back(std::move(front));
+  return figure;
+}
+
+/// Against the reference; with the reference's own curve where it has one.
+Figure against_reference(const Study& study, const Studied& about, const std::vector<ReferenceCost>& reference) {
+  const std::string quantity = about.quantity, name = about.name;
+  std::vector<double> errors;
+  for (const PointResult& result : study.results) errors.push_back(error_of(result, quantity));
+  Figure figure = work_precision(study, {"work_" + quantity, "Error over CPU seconds: " + name, "Error over cost"},
+                                 {"error of " + name, in_metres(quantity) ? "m" : "1"}, errors);
+  if (figure.series.empty()) return figure;
   if (quantity == "pressure_l2" && !reference.empty()) {
-    Series line{"reference, at its nodes", Series::Style::line, {}, {}, next + 1};
+    Series line{"reference, at its nodes", Series::Style::line, {}, {}, figure.series.back().colour + 1};
     for (const ReferenceCost& cost : reference)
       if (cost.error > 0) line.x.push_back(cost.cpu_seconds), line.y.push_back(cost.error);
     figure.series.push_back(std::move(line));
@@ -115,7 +123,7 @@ void add_window(reports::Record& record, const Study& study, const std::vector<R
                 std::size_t index) {
   const std::string& window = study.points.front().window;
   for (const Studied& about : {studied[0], studied[2]}) {
-    Figure figure = work_precision(study, about, reference);
+    Figure figure = against_reference(study, about, reference);
     if (figure.series.empty()) continue;
     figure.id += "_window_" + std::to_string(index);
     figure.title += ", a window " + window;
@@ -191,8 +199,7 @@ reports::Table orders_table(const Study& study) {
     for (std::size_t i = 0; i < study.points.size(); ++i)
       if (study.points[i].curve == curve && std::isfinite(error_of(study.results[i], "pressure_l2")))
         told.push_back({study.points[i].cells, error_of(study.results[i], "pressure_l2")});
-    if (told.size() < 2 || curve == "time tolerance" || curve == "points per cell" || curve == "shape functions")
-      continue;
+    if (told.size() < 2 || told.front().cells == told.back().cells) continue;  // something else was changed
     std::string shown, orders;
     bool falls = true, floor = false;
     for (std::size_t i = 0; i < told.size(); ++i) {
@@ -214,6 +221,44 @@ reports::Table orders_table(const Study& study) {
   return table;
 }
 
+/// What comes out of a slide, which no reference knows: against the run on the finest cells.
+void add_slide(reports::Record& record, const Study& study) {
+  static constexpr const char* followed[] = {"failure_time", "largest_displacement", "largest_velocity"};
+  reports::Table table{
+      "What came out of the slide",
+      "Error over cost",
+      "In brackets: off from the run on the finest cells, whose own doubt is about its step to the next coarser one.",
+      {"setting", "MPM CPU [s]"},
+      {}};
+  std::vector<std::vector<std::string>> columns;
+  for (const char* name : followed) {
+    const auto finest = finest_with(study.points, study.results, name);
+    if (!finest) continue;
+    const Outcome about = *find_outcome(study.results[*finest].candidate, name);
+    const std::vector<double> errors = changes_from(study.results, *finest, name);
+    table.header.push_back(about.description + " [" + about.unit + "]");
+    std::vector<std::string>& column = columns.emplace_back();
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      const double value = value_of(study.results[i].candidate, name);
+      column.push_back(std::isnan(value) ? "-"
+                       : i == *finest    ? fmt::format("{:.5g} (finest)", value)
+                                         : fmt::format("{:.5g} ({:.2g} %)", value, 100 * errors[i]));
+    }
+    Figure figure = work_precision(
+        study, {std::string("work_") + name, "Error over CPU seconds: " + about.description, "Error over cost"},
+        {"off from the finest cells", "1"}, errors);
+    figure.note = "No reference knows it: against " + study.points[*finest].point.name + ".";
+    if (!figure.series.empty()) record.figures.push_back(std::move(figure));
+  }
+  for (std::size_t i = 0; i < study.points.size(); ++i) {
+    if (study.results[i].left_out() || columns.empty()) continue;
+    std::vector<std::string> row{study.points[i].point.name, fmt::format("{:.3g}", study.results[i].candidate_cpu)};
+    for (const auto& column : columns) row.push_back(column[i]);
+    table.rows.push_back(std::move(row));
+  }
+  if (!table.rows.empty()) record.tables.push_back(std::move(table));
+}
+
 reports::Table cheapest_table(const Study& study, const Scene& scene) {
   reports::Table table{"The cheapest setting that meets each gate of the scene",
                        "Verdicts",
@@ -233,18 +278,19 @@ reports::Table cheapest_table(const Study& study, const Scene& scene) {
 
 }  // namespace
 
-reports::Record accuracy_page(const std::filesystem::path& path, const std::vector<AccuracyPoint>& points,
+reports::Record accuracy_page(const Scene& scene, const std::vector<AccuracyPoint>& points,
                               const std::vector<PointResult>& results, const std::vector<ReferenceCost>& reference,
                               const std::filesystem::path& out) {
-  reports::Record record = start_study("what accuracy costs", path, results);
+  reports::Record record = start_study("what accuracy costs", scene, results);
   record.verdict = reports::Verdict::info;  // coarse settings are meant to miss
   const Study study = part_of(points, results, "");
-  record.tables.push_back(cheapest_table(study, read_scene(path)));
-  record.tables.push_back(orders_table(study));
+  for (reports::Table& table : std::vector{cheapest_table(study, scene), orders_table(study)})
+    if (!table.rows.empty()) record.tables.push_back(table);
   for (const Studied& about : studied) {
-    Figure figure = work_precision(study, about, reference);
+    Figure figure = against_reference(study, about, reference);
     if (!figure.series.empty()) record.figures.push_back(std::move(figure));
   }
+  add_slide(record, study);
   const std::vector<std::string> windows = windows_of(points);
   for (std::size_t w = 0; w < windows.size(); ++w)
     add_window(record, part_of(points, results, windows[w]), reference, w);

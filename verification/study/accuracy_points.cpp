@@ -1,6 +1,7 @@
 // Which settings a study of accuracy tries.
-#include "verification/scene/read.h"
 #include "verification/study/accuracy.h"
+#include "verification/study/cells_times.h"
+#include "verification/study/scheme_settings.h"
 #include "verification/translate/timeline.h"
 
 #include <fmt/format.h>
@@ -12,34 +13,8 @@ namespace wetfront::verification {
 namespace {
 
 constexpr double factors[] = {0.25, 0.5, 1.0, 2.0, 4.0};
-
-struct Count {
-  std::string path;
-  int cells;
-};
-
-std::vector<Count> cell_counts(const Scene& scene) {
-  const Shape& shape = scene.geometry.shape;
-  if (const auto* column = std::get_if<Column>(&shape)) return {{"geometry.column.cells", column->cells}};
-  if (const auto* slope = std::get_if<Slope>(&shape))
-    return {{"geometry.slope.cells_along", slope->cells_along}, {"geometry.slope.cells_over", slope->cells_over}};
-  if (const auto* profile = std::get_if<GroundProfile>(&shape))
-    return {{"geometry.profile.cells_along", profile->cells_along},
-            {"geometry.profile.cells_over", profile->cells_over}};
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    std::vector<Count> counts;
-    for (std::size_t i = 0; i < box->cells.size(); ++i)
-      counts.push_back({"geometry.box.cells[" + std::to_string(i) + "]", box->cells[i]});
-    return counts;
-  }
-  throw SceneError({scene.geometry.origin.text() +
-                    ": what accuracy costs cannot be studied on a mesh of your own (its cells cannot be halved from "
-                    "here). Describe the ground by a shape."});
-}
-
-bool is_rigid(const Scene& scene) {
-  return std::ranges::none_of(scene.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
-}
+/// Of the water's bulk modulus, for schemes whose step it limits.
+constexpr const char* softenings[] = {"0.1", "0.01"};
 
 struct SchemeChoice {
   std::string scheme, integrator;
@@ -47,13 +22,13 @@ struct SchemeChoice {
   std::string name() const {
     return scheme == "seepage" ? scheme + (integrator.empty() ? ", bdf2" : ", " + integrator) : scheme;
   }
-  bool tolerates() const { return scheme == "seepage" || scheme == "semi-implicit"; }  ///< has a tolerance in time
+  bool tolerates() const { return controls_its_error(scheme); }
 };
 
 /// From the cheapest to the dearest.
 std::vector<SchemeChoice> schemes(const Scene& scene) {
   std::vector<SchemeChoice> all;
-  const bool rigid = is_rigid(scene);
+  const bool rigid = !deforms(scene);
   if (rigid || scene.stages.back().scheme == Scheme::seepage)
     all.insert(all.end(), {{"seepage", ""}, {"seepage", "backward-euler"}});
   if (rigid) all.push_back({"semi-implicit", ""});
@@ -61,36 +36,25 @@ std::vector<SchemeChoice> schemes(const Scene& scene) {
   return all;
 }
 
-std::string last_stage(const Scene& scene) {
-  return "stage[" + std::to_string(scene.stages.size() - 1) + "].";
-}
-
-/// The scheme of the last stage.
 std::vector<Setting> settings_of(const Scene& scene, const SchemeChoice& choice) {
-  const std::string stage = last_stage(scene);
-  std::vector<Setting> settings{{stage + "time_integrator", choice.integrator}};
-  if (!choice.tolerates()) settings.push_back({stage + "time_tolerance", ""});
-  // Two velocities know no equilibrium: their skeleton moves, or is rigid.
-  if (!choice.tolerates() && !is_rigid(scene) && scene.stages.back().motion.quasi_static)
-    settings.push_back({stage + "skeleton", "dynamic"});
-  settings.push_back({stage + "scheme", choice.scheme});
-  return settings;
+  return scheme_settings(scene, choice.scheme, choice.integrator);
 }
 
-/// Sets the cells to so many times the scene's; false where that is no mesh of this family.
-bool set_cells(const std::vector<Count>& counts, double factor, std::vector<Setting>& settings, std::string& text) {
-  for (const Count& count : counts) {
-    const double wanted = count.cells * factor;
-    if (wanted != std::floor(wanted) || wanted < 2) return false;
-    settings.push_back({count.path, fmt::format("{:.0f}", wanted)});
-    text += (text.empty() ? "" : " x ") + settings.back().value;
-  }
-  return true;
+/// "40" or "60 x 8".
+std::string text_of(const std::vector<Setting>& cells) {
+  std::string text;
+  for (const Setting& count : cells) text += (text.empty() ? "" : " x ") + count.value;
+  return text;
+}
+
+std::vector<Setting> with(std::vector<Setting> settings, const std::vector<Setting>& more) {
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
 }
 
 class Builder {
  public:
-  explicit Builder(const Scene& scene) : scene_(scene), counts_(cell_counts(scene)) {}
+  explicit Builder(const Scene& scene) : scene_(scene) {}
 
   std::vector<AccuracyPoint> all() {
     if (!scene_.water) {
@@ -105,35 +69,37 @@ class Builder {
     const std::vector<Setting> settings = settings_of(scene_, base);
     if (base.scheme == "seepage")
       for (const char* tolerance : {"1e-2", "1e-3", "1e-4", "1e-6"})
-        add(base.name(), "time tolerance", 1, with(settings, {last_stage(scene_) + "time_tolerance", tolerance}),
+        add(base.name(), "time tolerance", 1, with(settings, {{last_stage(scene_) + "time_tolerance", tolerance}}),
             std::string(", tolerance ") + tolerance);
     variants(base.name(), settings);
+    for (const SchemeChoice& choice : choices)
+      if (!choice.tolerates()) softened(choice.name(), settings_of(scene_, choice));
     return std::move(points_);
   }
 
  private:
-  static std::vector<Setting> with(std::vector<Setting> settings, Setting more) {
-    settings.push_back(std::move(more));
-    return settings;
+  void softened(const std::string& name, const std::vector<Setting>& settings) {
+    for (const char* part : softenings)
+      add(name, "softened water, " + name, 1, with(settings, {{"mpm.water_softening", part}}),
+          std::string(", water softened to ") + part);
   }
 
   void variants(const std::string& name, const std::vector<Setting>& settings) {
     for (const char* points : {"9", "16"})
-      add(name, "points per cell", 1, with(settings, {"mpm.points_per_cell", points}),
+      add(name, "points per cell", 1, with(settings, {{"mpm.points_per_cell", points}}),
           std::string(", points per cell ") + points);
-    if (!is_rigid(scene_))
-      add(name, "shape functions", 1, with(settings, {"skeleton.shape", "quadratic-spline"}), ", quadratic splines");
+    if (deforms(scene_))
+      add(name, "shape functions", 1, with(settings, {{"skeleton.shape", "quadratic-spline"}}), ", quadratic splines");
   }
 
-  void add(const std::string& name, const std::string& curve, double factor, std::vector<Setting> settings,
+  void add(const std::string& name, const std::string& curve, double factor, const std::vector<Setting>& settings,
            const std::string& suffix) {
-    std::string cells;
-    if (set_cells(counts_, factor, settings, cells))
-      points_.push_back({{name + ", " + cells + " cells" + suffix, std::move(settings)}, curve, factor});
+    const std::vector<Setting> cells = cells_times(scene_, factor);
+    if (!cells.empty())
+      points_.push_back({{name + ", " + text_of(cells) + " cells" + suffix, with(settings, cells)}, curve, factor});
   }
 
   const Scene& scene_;
-  std::vector<Count> counts_;
   std::vector<AccuracyPoint> points_;
 };
 
@@ -171,13 +137,11 @@ struct Cost {
 /// The longest window, up to half of `whole`, whose own plan keeps within the budget on the finest cells: steps there
 /// may be shorter than those of the stage as a whole.
 Window affordable(const Scene& scene, const SchemeChoice& choice, double whole, double last, const Cost& cost) {
+  const std::vector<Setting> finest = cells_times(scene, factors[std::size(factors) - 1]);
   double length = rounded_down(std::min(cost.budget / cost.per_second, 0.5 * whole));
   for (; length > 1e-7 * last; length = rounded_down(0.5 * length)) {
     const Window window{last - length, last};
-    std::vector<Setting> settings = settings_in(window, scene, choice);
-    std::string unused;
-    if (!set_cells(cell_counts(scene), factors[std::size(factors) - 1], settings, unused)) break;
-    if (expected_cpu(scene.path, {"", settings}) <= cost.budget) return window;
+    if (expected_cpu(scene.path, {"", with(settings_in(window, scene, choice), finest)}) <= cost.budget) return window;
   }
   return {last, last};
 }
@@ -189,36 +153,40 @@ std::vector<AccuracyPoint> accuracy_points(const Scene& scene) {
 }
 
 std::vector<AccuracyPoint> window_points(const Scene& scene, double budget) {
-  if (!scene.water || !is_rigid(scene) || scene.stages.back().scheme != Scheme::seepage ||
+  if (!scene.water || deforms(scene) || scene.stages.back().scheme != Scheme::seepage ||
       scene.comparison.times.empty() || scene.stages.back().lasts)
     return {};
   const Timeline times = timeline(scene);
   const double begin = times.stage_end.size() > 1 ? times.stage_end[times.stage_end.size() - 2] : 0;
   const double last = times.comparison_times.back();
-  const auto counts = cell_counts(scene);
+  const std::vector<Setting> finest = cells_times(scene, factors[std::size(factors) - 1]);
+  if (finest.empty()) return {};
   const auto choices = schemes(scene);
   std::vector<AccuracyPoint> points;
   for (std::size_t dear = 0; dear < choices.size() && last > begin; ++dear) {
-    std::vector<Setting> finest = settings_of(scene, choices[dear]);
-    std::string unused;
-    if (!set_cells(counts, factors[std::size(factors) - 1], finest, unused)) continue;
-    const double expected = expected_cpu(scene.path, {"", finest});
+    const double expected = expected_cpu(scene.path, {"", with(settings_of(scene, choices[dear]), finest)});
     if (!(expected > budget)) continue;
     const Window window =
         affordable(scene, choices[dear], last - begin, last, {budget, expected / (times.end() - begin)});
     const double length = window.to - window.from;
     if (!(length > 1e-7 * last)) continue;  // shorter than a scene can say
     const std::string name = fmt::format("from {:.7g} s for {:.3g} s", window.from, length);
-    for (std::size_t k = 0; k <= dear; ++k)
-      for (const double factor : factors) {
-        std::vector<Setting> settings = settings_in(window, scene, choices[k]);
-        std::string cells;
-        if (!set_cells(counts, factor, settings, cells)) continue;
-        points.push_back({{choices[k].name() + ", " + cells + " cells, " + name, std::move(settings)},
-                          choices[k].name(),
-                          factor,
-                          name});
-      }
+    const auto add = [&](const SchemeChoice& choice, double factor, const std::string& softened) {
+      std::vector<Setting> changed = cells_times(scene, factor);
+      if (changed.empty()) return;
+      const std::string told = choice.name() + ", " + text_of(changed) + " cells, ";
+      if (!softened.empty()) changed.push_back({"mpm.water_softening", softened});
+      points.push_back({{told + (softened.empty() ? "" : "water softened to " + softened + ", ") + name,
+                         with(settings_in(window, scene, choice), changed)},
+                        (softened.empty() ? "" : "softened water, ") + choice.name(),
+                        factor,
+                        name});
+    };
+    for (std::size_t k = 0; k <= dear; ++k) {
+      for (const double factor : factors) add(choices[k], factor, "");
+      if (choices[k].tolerates()) continue;  // no step to lengthen
+      for (const char* part : softenings) add(choices[k], 1, part);
+    }
   }
   return points;
 }

@@ -1,11 +1,11 @@
 // Which effects a study tries, and how each is left out or added.
-#include "verification/scene/read.h"
+#include "verification/study/cells_times.h"
 #include "verification/study/effects.h"
+#include "verification/study/scheme_settings.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -16,9 +16,7 @@ using Settings = std::vector<Setting>;
 
 class Changes {
  public:
-  explicit Changes(const Scene& scene) : scene_(scene) {
-    deforms_ = std::ranges::any_of(scene.soils, [](const Soil& soil) { return soil.elastic.has_value(); });
-  }
+  explicit Changes(const Scene& scene) : scene_(scene), deforms_(deforms(scene)) {}
 
   std::vector<EffectChange> all() {
     add("the scene as it is", true, "", {});
@@ -32,7 +30,6 @@ class Changes {
   }
 
  private:
-  std::string stage() const { return "stage[" + std::to_string(scene_.stages.size() - 1) + "]."; }
   static std::string soil(std::size_t i) { return "soil[" + std::to_string(i) + "]."; }
   static std::string side(std::size_t i) { return "boundary[" + std::to_string(i) + "]."; }
 
@@ -49,32 +46,22 @@ class Changes {
     found_.push_back(std::move(change));
   }
 
-  Settings scheme(const char* name) const {
-    Settings settings{{stage() + "time_integrator", ""}};
-    if (std::string(name) == "implicit-drag") {
-      settings.push_back({stage() + "time_tolerance", ""});
-      // Two velocities know no equilibrium: their skeleton moves in true time.
-      if (deforms_) settings.push_back({stage() + "skeleton", "dynamic"});
-      if (deforms_) settings.push_back({stage() + "coupling_tolerance", ""});
-    }
-    settings.push_back({stage() + "scheme", name});
-    return settings;
-  }
-
   /// Of a deforming skeleton the water's inertia is there with two velocities only.
   void inertia() {
     const Scheme now = *scene_.stages.back().scheme;
     const char* two = "water and skeleton with velocities of their own";
     if (now == Scheme::seepage) {
-      if (!deforms_) add("inertia of the water", false, "semi-implicit in place of seepage", scheme("semi-implicit"));
-      add(two, false, "implicit-drag in place of seepage", scheme("implicit-drag"));
+      if (!deforms_)
+        add("inertia of the water", false, "semi-implicit in place of seepage",
+            scheme_settings(scene_, "semi-implicit"));
+      add(two, false, "implicit-drag in place of seepage", scheme_settings(scene_, "implicit-drag"));
       return;
     }
-    add("inertia of the water", true, "seepage", scheme("seepage"));
+    add("inertia of the water", true, "seepage", scheme_settings(scene_, "seepage"));
     if (now == Scheme::semi_implicit)
-      add(two, false, "implicit-drag", scheme("implicit-drag"));
+      add(two, false, "implicit-drag", scheme_settings(scene_, "implicit-drag"));
     else if (!deforms_)
-      add(two, true, "semi-implicit", scheme("semi-implicit"));
+      add(two, true, "semi-implicit", scheme_settings(scene_, "semi-implicit"));
   }
 
   void water() {
@@ -106,7 +93,7 @@ class Changes {
       return;
     }
     add("deformation of the skeleton", true, "a rigid skeleton", rigid());
-    if (std::ranges::any_of(scene_.stages, [](const Stage& s) { return s.event.kind != StageEvent::Kind::none; }))
+    if (has_events(scene_))
       found_.back().by_nature = "the scene asks for failure or rest, which a rigid skeleton does not know";
     const bool bounded = std::ranges::any_of(scene_.soils, [](const Soil& soil) { return soil.strength.has_value(); });
     if (bounded)
@@ -120,7 +107,7 @@ class Changes {
       add("suction stress by the effective saturation", false, "Bishop's chi = Se", effective);
     }
     if (scene_.stages.back().local_damping > 0)
-      add("damping of the skeleton", true, "none", {{stage() + "local_damping", ""}});
+      add("damping of the skeleton", true, "none", {{last_stage(scene_) + "local_damping", ""}});
     if (scene_.skeleton.b_bar) add("cure of volumetric locking", true, "none", {{"skeleton.locking", "none"}});
     if (!scene_.water && std::holds_alternative<Box>(scene_.geometry.shape) &&
         scene_.skeleton.shape == SkeletonSettings::Shape::linear)
@@ -175,36 +162,6 @@ class Changes {
 };
 
 }  // namespace
-
-std::vector<Setting> cells_times(const Scene& scene, double factor) {
-  const Shape& shape = scene.geometry.shape;
-  Settings settings;
-  const auto set = [&](const std::string& path, int cells) {
-    const double wanted = factor * cells;
-    if (wanted == std::floor(wanted) && wanted >= 2) settings.push_back({path, fmt::format("{:.0f}", wanted)});
-    return settings.size();
-  };
-  std::size_t counts = 0;
-  if (const auto* column = std::get_if<Column>(&shape)) {
-    counts = 1, set("geometry.column.cells", column->cells);
-  } else if (const auto* slope = std::get_if<Slope>(&shape)) {
-    counts = 2, set("geometry.slope.cells_along", slope->cells_along),
-    set("geometry.slope.cells_over", slope->cells_over);
-  } else if (const auto* profile = std::get_if<GroundProfile>(&shape)) {
-    counts = 2, set("geometry.profile.cells_along", profile->cells_along),
-    set("geometry.profile.cells_over", profile->cells_over);
-  } else if (const auto* box = std::get_if<Box>(&shape)) {
-    counts = box->cells.size();
-    for (std::size_t i = 0; i < box->cells.size(); ++i)
-      set("geometry.box.cells[" + std::to_string(i) + "]", box->cells[i]);
-  } else {
-    throw SceneError(
-        {scene.geometry.origin.text() +
-         ": a mesh of your own cannot be studied with other cells (they cannot be made from here). Describe "
-         "the ground by a shape."});
-  }
-  return settings.size() == counts ? settings : Settings{};
-}
 
 std::vector<EffectChange> effect_changes(const Scene& scene) {
   return Changes(scene).all();

@@ -24,7 +24,7 @@ bool ran(const PointResult& result) {
 }  // namespace
 
 std::vector<Influence> influences(const Scene& scene, const PointResult& base, const PointResult& finer,
-                                  const PointResult& changed) {
+                                  const PointResult& changed, double cells) {
   std::vector<Influence> all;
   if (!ran(base) || !ran(changed)) return all;  // what was refused or gave up says nothing of the effect
   for (const Outcome& outcome : base.candidate) {
@@ -37,7 +37,7 @@ std::vector<Influence> influences(const Scene& scene, const PointResult& base, c
     one.change = other - outcome.value;
     one.uncertainty = std::abs(mesh - outcome.value);
     if (std::isnan(outcome.value) || std::isnan(other)) {
-      one.need = Need::needed;  // an event that happens only with it, or only without it
+      one.need = cells == 1 ? Need::needed : Need::undecided;  // an event that happens only with it, or only without it
     } else if (std::isnan(one.uncertainty)) {
       one.need = Need::undecided;
     } else {

@@ -30,10 +30,6 @@ std::vector<EffectChange> effect_changes(const Scene& scene);
 /// times as large where that is within it, against the scene on such cells, which is added at the end.
 std::vector<EffectChange> affordable(const Scene& scene, std::vector<EffectChange> changes, double budget);
 
-/// Settings that multiply the cells per direction; none where that is no mesh of this family. Throws SceneError for a
-/// mesh of the user's own.
-std::vector<Setting> cells_times(const Scene& scene, double factor);
-
 /// Influence of an effect on one outcome and what follows.
 enum class Need { needed, not_needed, undecided, unknown };
 struct Influence {
@@ -44,13 +40,15 @@ struct Influence {
   Need need = Need::unknown;
 };
 /// Needed where |change| - uncertainty > tolerance, not needed where |change| + uncertainty <= tolerance. `changed` and
-/// `base` are on the same cells, `finer` is on finer ones. Empty where one of them was refused or gave up.
+/// `base` are on the same cells, `finer` is on finer ones. An event that happens in one of the two only: needed, but
+/// undecided on cells other than the scene's (`cells` over the scene's), which may miss it. Empty where one of them was
+/// refused or gave up.
 std::vector<Influence> influences(const Scene& scene, const PointResult& base, const PointResult& finer,
-                                  const PointResult& changed);
+                                  const PointResult& changed, double cells = 1);
 /// Needed where it is for any outcome; not needed where it is not for all.
 Need overall_need(const std::vector<Influence>& influences);
 
-reports::Record effects_page(const std::filesystem::path& scene, const std::vector<EffectChange>& changes,
+reports::Record effects_page(const Scene& scene, const std::vector<EffectChange>& changes,
                              const std::vector<PointResult>& results, const std::filesystem::path& out);
 
 /// The sentences of a stored study of this scene, for `explain`; empty where there is none.

@@ -1,6 +1,5 @@
 // The ledger of effects, as a page and as sentences.
 #include "reports/write.h"
-#include "verification/scene/read.h"
 #include "verification/study/effects.h"
 #include "verification/study/study_page.h"
 
@@ -30,13 +29,14 @@ const char* word(Need need) {
   return "not known";
 }
 
-/// The influence that is largest in terms of its tolerance.
-const Influence* largest(const std::vector<Influence>& all) {
-  const auto size = [](const Influence& one) {
-    return std::isnan(one.change) ? 1e300 : std::abs(one.change) / std::max(one.tolerance, 1e-300);
-  };
-  const auto found = std::ranges::max_element(all, {}, size);
-  return found == all.end() ? nullptr : &*found;
+double ratio(const Influence& one) {
+  return std::abs(one.change) / std::max(one.tolerance, 1e-300);
+}
+
+/// The influence that is largest in terms of its tolerance; an event that is there or not is beyond any.
+const Influence& largest(const std::vector<Influence>& all) {
+  return *std::ranges::max_element(all, {},
+                                   [](const Influence& one) { return std::isnan(one.change) ? 1e300 : ratio(one); });
 }
 
 /// Outcomes as the reader of a sentence wants them: "time of ponding" and not "p > 0.2 kPa at probe base" alone.
@@ -44,8 +44,17 @@ std::string named(const std::string& outcome) {
   return outcome.starts_with("p > ") ? "the time when " + outcome : outcome;
 }
 
-std::string tolerances(double ratio) {
-  return ratio < 0.01 ? "less than a hundredth of" : fmt::format("{:.2g} times", ratio);
+std::string tolerances(const Influence& one) {
+  return ratio(one) < 0.01 ? "less than a hundredth of" : fmt::format("{:.2g} times", ratio(one));
+}
+
+/// What changes beside an event that is there or not; "" where nothing can be told.
+std::string beside_event(std::vector<Influence> all) {
+  std::erase_if(all, [](const Influence& one) { return std::isnan(one.change); });
+  if (all.empty()) return "";
+  const Influence& most = largest(all);
+  return fmt::format(" Of what is there with and without it {} changes most, by {:.3g} {}, {} what is tolerated.",
+                     named(most.outcome), most.change, most.unit, tolerances(most));
 }
 
 /// What the scene needs, in plain words.
@@ -57,20 +66,20 @@ std::string sentence(const EffectChange& change, const PointResult& result, cons
     return fmt::format("{} was not tried: about {:.2g} CPU-s, more than --budget, on four times as large cells, too.",
                        subject, result.expected_cpu);
   if (all.empty()) return subject + " could not be tried: " + result.message;
-  const Influence& most = *largest(all);
+  const Influence& most = largest(all);
   const Need need = overall_need(all);
   const std::string doing = change.called_for ? "Without it" : "With it";
   std::string text =
       subject + (need == Need::needed       ? (change.called_for ? " is needed. " : " is missing. ")
                  : need == Need::not_needed ? (change.called_for ? " could be left out. " : " is not needed. ")
                                             : ": undecided. ");
-  text +=
-      std::isnan(most.change)
-          ? fmt::format("{} there is no {} any more, or there is one only then.", doing, named(most.outcome))
-          : fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing, named(most.outcome), most.change,
-                        most.unit, tolerances(std::abs(most.change) / std::max(most.tolerance, 1e-300)),
-                        all.size() > 1 ? ", other outcomes by less" : "");
-  if (need == Need::undecided) text += fmt::format(" Finer cells change it by {:.2g} {}.", most.uncertainty, most.unit);
+  text += std::isnan(most.change)
+              ? fmt::format("{} there is no {} any more, or there is one only then.{}", doing, named(most.outcome),
+                            beside_event(all))
+              : fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing, named(most.outcome),
+                            most.change, most.unit, tolerances(most), all.size() > 1 ? ", other outcomes by less" : "");
+  if (need == Need::undecided && !std::isnan(most.change))
+    text += fmt::format(" Finer cells change it by {:.2g} {}.", most.uncertainty, most.unit);
   if (change.cells != 1) text += fmt::format(" (Tried on cells {:g} times as large, for its cost.)", 1 / change.cells);
   return text;
 }
@@ -81,11 +90,10 @@ std::string share(double with, double without) {
 
 }  // namespace
 
-reports::Record effects_page(const std::filesystem::path& path, const std::vector<EffectChange>& changes,
+reports::Record effects_page(const Scene& scene, const std::vector<EffectChange>& changes,
                              const std::vector<PointResult>& results, const std::filesystem::path& out) {
-  reports::Record record = start_study("which effects matter", path, results);
+  reports::Record record = start_study("which effects matter", scene, results);
   record.verdict = reports::Verdict::info;
-  const Scene scene = read_scene(path);
   reports::Table summary{table_title,
                          "Verdicts",
                          "Share of time and memory: what the run without the effect saves of the run with it.",
@@ -102,7 +110,8 @@ reports::Record effects_page(const std::filesystem::path& path, const std::vecto
   for (std::size_t i = 2; i < changes.size(); ++i) {
     if (changes[i].how.empty()) continue;  // the scene on other cells
     const PointResult &base = results[changes[i].base], &finer = results[changes[i].base == 0 ? 1 : 0];
-    const auto all = results[i].left_out() ? std::vector<Influence>{} : influences(scene, base, finer, results[i]);
+    const auto all =
+        results[i].left_out() ? std::vector<Influence>{} : influences(scene, base, finer, results[i], changes[i].cells);
     const bool called = changes[i].called_for, known = !all.empty();
     const auto part = [&](double scene_has, double changed) {
       return !known ? std::string("-") : called ? share(scene_has, changed) : share(changed, scene_has);

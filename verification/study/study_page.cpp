@@ -185,9 +185,7 @@ std::string link_to(const std::filesystem::path& out, std::size_t index, const S
   return std::filesystem::exists(folder / "report.html") ? name + "/report.html" : name + "/run.log";
 }
 
-reports::Record start_study(const std::string& kind, const std::filesystem::path& path,
-                            const std::vector<PointResult>& results) {
-  const Scene scene = read_scene(path);
+reports::Record start_study(const std::string& kind, const Scene& scene, const std::vector<PointResult>& results) {
   reports::Record record = record_of(scene, mpm_mesh(scene));
   record.kind = kind;
   std::vector<reports::Finding> verdicts;
@@ -201,16 +199,15 @@ reports::Record start_study(const std::string& kind, const std::filesystem::path
   return record;
 }
 
-reports::Record vary_page(const std::filesystem::path& scene, const std::vector<Variation>& variations,
+reports::Record vary_page(const Scene& scene, const std::vector<Variation>& variations,
                           const std::vector<PointResult>& results, const std::filesystem::path& out) {
   reports::Record record = start_study("parametric study", scene, results);
   const std::vector<StudyPoint> points = product(variations);
   record.tables.push_back(points_table(variations, results, points, out));
   record.tables.push_back(outcomes_table(results));
-  if (const auto along = abscissa(variations, read_scene(scene)))
+  if (const auto along = abscissa(variations, scene))
     for (const Outcome& about : list_of_outcomes(results)) {
-      if (about.name.starts_with("interval:") && about.value < 0)
-        continue;  // the pair stands there the other way round
+      if (told_the_other_way(about)) continue;
       Figure figure = figure_of(about, *along, variations, points, results);
       if (varies(figure)) record.figures.push_back(std::move(figure));
     }

@@ -6,19 +6,6 @@
 namespace wetfront::verification {
 namespace {
 
-/// Name of the soil at a place; "" where only the mesh's own region says it.
-std::string soil_at(const Scene& scene, const std::array<double, 3>& place, int dim) {
-  const Geometry& geometry = scene.geometry;
-  for (auto zone = geometry.zones.rbegin(); zone != geometry.zones.rend(); ++zone)
-    if (zone->extent.contains(place)) return zone->soil;
-  if (geometry.layers.empty()) return geometry.dim() == 0 ? "" : scene.soils.front().name;
-  const double elevation = place[dim == 3 ? 2 : 1];
-  const std::vector<double> bottoms = layer_bottoms(geometry, place[0]);
-  for (std::size_t i = 0; i < bottoms.size(); ++i)
-    if (elevation > bottoms[i]) return geometry.layers[i].soil;
-  return geometry.layers.back().soil;
-}
-
 void name_regions(const Scene& scene, meshes::Mesh& mesh) {
   const std::vector<std::string> before = mesh.region_names;
   mesh.region_names.clear();
@@ -53,6 +40,18 @@ void cut_out(const SidePart& part, meshes::Mesh& mesh) {
 }
 
 }  // namespace
+
+std::string soil_at(const Scene& scene, const std::array<double, 3>& place, int dim) {
+  const Geometry& geometry = scene.geometry;
+  for (auto zone = geometry.zones.rbegin(); zone != geometry.zones.rend(); ++zone)
+    if (zone->extent.contains(place)) return zone->soil;
+  if (geometry.layers.empty()) return geometry.dim() == 0 ? "" : scene.soils.front().name;
+  const double elevation = place[dim == 3 ? 2 : 1];
+  const std::vector<double> bottoms = layer_bottoms(geometry, place[0]);
+  for (std::size_t i = 0; i < bottoms.size(); ++i)
+    if (elevation > bottoms[i]) return geometry.layers[i].soil;
+  return geometry.layers.back().soil;
+}
 
 std::array<double, 3> scene_point(const meshes::Point& point, int dim) {
   return dim == 1 ? std::array<double, 3>{0, point[0], 0} : point;

@@ -3,10 +3,17 @@
 #include "meshes/mesh.h"
 #include "verification/scene/scene.h"
 
+#include <array>
+#include <string>
+#include <vector>
+
 namespace wetfront::verification {
 
 /// A place of a mesh in the scene's coordinates: in one dimension the only coordinate becomes y.
 std::array<double, 3> scene_point(const meshes::Point& point, int dim);
+
+/// Name of the soil at a place of the scene; "" where only the mesh's own region says it.
+std::string soil_at(const Scene& scene, const std::array<double, 3>& place, int dim);
 
 /// Names the mesh's regions by the layer or zone that each cell's centre lies in, and cuts parts out of sides. Throws
 /// std::runtime_error where a part holds no face of its side.

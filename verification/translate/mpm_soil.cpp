@@ -119,7 +119,7 @@ mpm::Soil mpm_soil(const Scene& scene, const Soil& soil) {
   if (soil.strength) out.law = law_of(soil);
   out.earth_pressure_at_rest = soil.earth_pressure_at_rest;
   if (soil.anisotropy) out.anisotropy = turned(*soil.anisotropy);
-  if (soil.specific_storage) out.storage = *soil.specific_storage / unit_weight;
+  if (soil.specific_storage) out.storage = *soil.specific_storage / unit_weight / scene.mpm.water_softening;
   if (soil.bishop == Bishop::effective_saturation) out.bishop = mpm::Bishop::effective_saturation;
   return out;
 }

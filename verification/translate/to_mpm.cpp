@@ -82,7 +82,8 @@ mpm::Problem<2> to_mpm(const Scene& scene, const meshes::Mesh& mesh, const Timel
   for (const Soil* soil : soils_by_region(scene, mesh)) problem.soils.push_back(mpm_soil(scene, *soil));
   if (scene.water) {
     const Water& water = *scene.water;
-    problem.water = mpm::Water{water.density, water.bulk_modulus, water.viscosity, water.origin.text()};
+    problem.water =
+        mpm::Water{water.density, scene.mpm.water_softening * water.bulk_modulus, water.viscosity, water.origin.text()};
     problem.initial_pressure = initial_pressure(scene, mesh);
     problem.conductivity_factor = conductivity_factors(scene, mesh);
   }
