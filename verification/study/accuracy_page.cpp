@@ -145,7 +145,12 @@ reports::Table points_table(const Study& study, const std::filesystem::path& out
                        "Pareto: no other setting has both a smaller error of pressure and a lower cost.",
                        {"setting", "verdict", "MPM CPU [s]"},
                        {}};
-  for (const Studied& about : studied) table.header.push_back(about.name);
+  std::vector<Studied> known;  // of a scene without a reference none
+  for (const Studied& about : studied)
+    if (std::ranges::any_of(study.results,
+                            [&](const PointResult& r) { return !std::isnan(error_of(r, about.quantity)); }))
+      known.push_back(about);
+  for (const Studied& about : known) table.header.push_back(about.name);
   table.header.push_back("Pareto");
   table.header.push_back("remark");
   const auto front = pareto(study.results, "pressure_l2");
@@ -156,13 +161,13 @@ reports::Table points_table(const Study& study, const std::filesystem::path& out
     std::vector<std::string> row{name};
     if (result.left_out()) {
       row.insert(row.end(), {"not run", fmt::format("about {:.3g}", result.expected_cpu)});
-      row.insert(row.end(), std::size(studied) + 1, "");
+      row.insert(row.end(), known.size() + 1, "");
       row.push_back("costs more than --budget");
     } else {
       // A window is not what the scene's gates are about.
       row.insert(row.end(),
                  {whole || result.exit > 1 ? verdict_of(result) : "-", fmt::format("{:.3g}", result.candidate_cpu)});
-      for (const Studied& about : studied)
+      for (const Studied& about : known)
         row.push_back(percent_or_metres(error_of(result, about.quantity), about.quantity));
       row.push_back(std::ranges::find(front, i) != front.end() ? "yes" : "");
       row.push_back(result.message);
@@ -251,7 +256,7 @@ void add_slide(reports::Record& record, const Study& study) {
     if (!figure.series.empty()) record.figures.push_back(std::move(figure));
   }
   for (std::size_t i = 0; i < study.points.size(); ++i) {
-    if (study.results[i].left_out() || columns.empty()) continue;
+    if (columns.empty() || !(study.results[i].candidate_cpu > 0)) continue;  // left out, or refused
     std::vector<std::string> row{study.points[i].point.name, fmt::format("{:.3g}", study.results[i].candidate_cpu)};
     for (const auto& column : columns) row.push_back(column[i]);
     table.rows.push_back(std::move(row));
