@@ -130,7 +130,7 @@ double SeepageStep<dim>::residual(const Bdf2Weights& weights, double dt) {
   double worst = 0;
   for (int i : active_) {
     const double relative = std::abs(balance_[static_cast<std::size_t>(i)]) / pore_volume_[static_cast<std::size_t>(i)];
-    worst = relative <= worst ? worst : relative;  // keeps NaN
+    if (!(relative <= worst) && !std::isnan(worst)) worst = relative;  // keeps NaN
   }
   return worst;
 }
@@ -151,15 +151,7 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
     for (const auto& held : water_.held) water_.matrix->make_identity_row(held.node);
     ++newton_iterations;
     linear_solve_->run();
-    if (!solved_) return false;
-    const double before = residuals_.back();
-    if (!line_search(weights, dt)) {
-      // At a kink of the surface no length helps: what was there closes as well as what line_search would take.
-      if (!(before <= stalled_tolerance)) return false;
-      std::ranges::copy(start_, (*water_.trial)[0]);
-      residuals_.push_back(residual(weights, dt));
-      return true;
-    }
+    if (!solved_ || !line_search(weights, dt)) return false;
     double largest = 0;
     for (double u : update_) largest = std::max(largest, std::abs(u));
     if (largest <= stalled_update * pressure_scale_ && residuals_.back() <= stalled_tolerance) return true;

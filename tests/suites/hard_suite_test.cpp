@@ -45,6 +45,15 @@ INSTANTIATE_TEST_SUITE_P(Quick, HardRow,
                                            "closed_box_incompressible", "rain_on_off"),
                          [](const auto& info) { return std::string(info.param); });
 
+/// Of the rows in which a block slides through cells, one: full of stiff water, of which nodes that
+/// the block reaches must be told the pressure (what is not full follows the water that points carry).
+TEST(HardCarriedRow, HasNoFailedEntry) {
+  const reports::Record record = run_case(as_case(row("carried_full")));
+  EXPECT_EQ(record.verdict, Verdict::pass);
+  for (const auto& finding : record.findings)
+    EXPECT_NE(finding.verdict, Verdict::fail) << finding.description << ": " << finding.error;
+}
+
 HardColumn short_column() {
   HardColumn column;
   column.cells = 6;
