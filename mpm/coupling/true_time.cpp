@@ -19,6 +19,9 @@ namespace {
 constexpr double fewest_cycles = 16;
 /// While it stands: some hundredths of a second, nothing beside rain.
 constexpr double most_cycles = 256;
+/// With inertia of the water against the grains the flow is solved after every cycle, of this part of the longest one
+/// (README section 8b).
+constexpr double cycle_with_inertia = 0.75;
 /// What seepage may find to even out after a step's undrained motion, for the next step to be longer: a thousandth of
 /// the pressures under a metre of water.
 constexpr double small_answer = 10;  // Pa
@@ -53,6 +56,7 @@ void TrueTimeMotion<dim>::join_own() {
   position_ = &plan.require_on_points("position");
   velocity_ = &plan.require_on_points("velocity");
   brought_ = &plan.provide_on_run(brought_by_water(dim));
+  if (c_.acceleration != nullptr) relative_ = std::make_unique<RelativeInertia<dim>>(plan, c_, *cycle_);
   for (std::size_t cell = 0; cell < plan.fields.grid.cell_count(); ++cell) {
     cells_.push_back({{}, mean_gradients(plan.fields.grid, cell)});
     cells_.back().share.fill(1.0 / cell_nodes<dim>);
@@ -60,10 +64,15 @@ void TrueTimeMotion<dim>::join_own() {
   cycle_->conditions.push_back(std::make_unique<PoreForce>(*this));
   // At entry "mass" is that of the grains.
   plan.at_entry([this] { std::ranges::copy(mass_->values(), grains_->values().begin()); });
-  cycles_per_step_ = &plan.provide_on_run({"cycles in a step of the flow", "N", "-"});
-  plan.at_begin([this] { cycles_per_step_->fill(fewest_cycles); });
-  plan.add_accuracy_limit("flow beside motion", "16 to 256 cycles of the skeleton",
-                          [this] { return (*cycles_per_step_)[0][0] * longest_cycle(); });
+  if (relative_) {
+    plan.add_stability_limit("cycle of grains and water", "0.75 h/c, c^2 = (E_oed + dp/dcontent V/P) V/m",
+                             [this] { return cycle_with_inertia * stable_cycle(); });
+  } else {
+    cycles_per_step_ = &plan.provide_on_run({"cycles in a step of the flow", "N", "-"});
+    plan.at_begin([this] { cycles_per_step_->fill(fewest_cycles); });
+    plan.add_accuracy_limit("flow beside motion", "16 to 256 cycles of the skeleton",
+                            [this] { return (*cycles_per_step_)[0][0] * longest_cycle(); });
+  }
   // Nodes that points reach on the way have no pressure before the flow is solved again.
   plan.add_accuracy_limit("motion beside flow", "half a cell", [this] { return cycle_->crossing() / 2; });
   plan.at_record([this](double, meshes::FieldHistory& history) {
@@ -128,7 +137,7 @@ void TrueTimeMotion<dim>::weigh_points() {
 /// h/c over the cells, c^2 = (E_oed + what the water adds)/density: full pores add (K_l/n), others what their curve
 /// lets them. [s]
 template <int dim>
-double TrueTimeMotion<dim>::longest_cycle() const {
+double TrueTimeMotion<dim>::stable_cycle() const {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Block& block : plan_->fields.points.blocks()) {
     const SoilContent& content = carried_->content_of(block);
@@ -145,7 +154,12 @@ double TrueTimeMotion<dim>::longest_cycle() const {
     const double h = plan_->fields.grid.smallest_altitude(block.cell);
     shortest = std::min(shortest, h * std::sqrt(mass / (volume * stiffness)));
   }
-  return plan_->stage.step_safety * std::min(shortest, cycle_->stable_step());
+  return std::min(shortest, cycle_->stable_step());
+}
+
+template <int dim>
+double TrueTimeMotion<dim>::longest_cycle() const {
+  return plan_->stage.step_safety * stable_cycle();
 }
 
 /// f_i += V chi p grad N_i with the mean gradient of the cell and its mean pore stress, the adjoint of the volume that
@@ -194,9 +208,9 @@ double TrueTimeMotion<dim>::answered(std::size_t node) const {
   return p + content->pressure_at(held * room / (room + grown)) - content->pressure_at(held);
 }
 
+/// What the pores of the nodes have grown by since the blocks' volumes were taken.
 template <int dim>
-void TrueTimeMotion<dim>::answer() {
-  for (auto& region : grown_) std::ranges::fill(region, 0.0);
+void TrueTimeMotion<dim>::add_growth() {
   const auto blocks = plan_->fields.points.blocks();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
@@ -205,11 +219,18 @@ void TrueTimeMotion<dim>::answer() {
     for (int i = 0; i < cell_nodes<dim>; ++i)
       grown[static_cast<std::size_t>(block.nodes[i])] += cells_[block.cell].share[i] * growth;
   }
+}
+
+template <int dim>
+void TrueTimeMotion<dim>::answer() {
+  add_growth();
   double* p = (*c_.pressure)[0];
   for (std::size_t i = 0; i < c_.pressure->size(); ++i) p[i] = answered(i);
-  for (std::size_t r = 0; r < pores_.size(); ++r)
+  for (std::size_t r = 0; r < pores_.size(); ++r) {
     for (std::size_t i = 0; i < pores_[r].size(); ++i)
       if (pores_[r][i] > 0) pores_[r][i] += grown_[r][i];
+    std::ranges::fill(grown_[r], 0.0);
+  }
 }
 
 template <int dim>
@@ -226,6 +247,7 @@ void TrueTimeMotion<dim>::move_undrained() {
     clock.time = time;
     clock.end = time = parts > 1 ? time + rest / parts : whole.end;
     clock.dt = cycle_->dt = clock.end - clock.time;
+    if (clock.time == whole.time && relative_ && relative_->owes()) pay_reaction();
     for (Kernel* kernel : {cycle_->gather, cycle_->accelerate, cycle_->points, cycle_->velocity, cycle_->move})
       kernel->run();
     answer();
@@ -235,9 +257,23 @@ void TrueTimeMotion<dim>::move_undrained() {
   clock = whole;
 }
 
+/// The displacement that the water's reaction left to the skeleton. The pressure answers to it after the cycle.
+template <int dim>
+void TrueTimeMotion<dim>::pay_reaction() {
+  cycle_->gather->run();  // who is where
+  const auto blocks = plan_->fields.points.blocks();
+  block_volume_.resize(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) block_volume_[b] = volume_of(blocks[b]);
+  relative_->pay(cycle_->dt);
+  cycle_->move->run();
+  add_growth();
+  cycle_->migrate->run();
+}
+
 /// How many cycles the next step of the flow takes, by the undrained answer to this one's.
 template <int dim>
 void TrueTimeMotion<dim>::choose_cycles() {
+  if (cycles_per_step_ == nullptr) return;
   double most = 0;
   for (const double change : start_) most = std::max(most, std::abs(change));
   double& cycles = (*cycles_per_step_)[0][0];
@@ -247,6 +283,7 @@ void TrueTimeMotion<dim>::choose_cycles() {
 template <int dim>
 void TrueTimeMotion<dim>::begin_step() {
   carried_->before_motion();
+  if (relative_) relative_->before_motion();
   start_.assign(c_.pressure->values().begin(), c_.pressure->values().end());
   move_undrained();
   for (std::size_t i = 0; i < start_.size(); ++i) {
@@ -257,6 +294,7 @@ void TrueTimeMotion<dim>::begin_step() {
   choose_cycles();
   refresh_geometry();
   carried_->after_motion(start_);
+  if (relative_) relative_->after_motion(plan_->clock.dt);
   std::ranges::copy(c_.pressure->values(), water_->trial->values().begin());
   // What the nodes hold before the flow.
   c_.stored->fill(0);
@@ -269,6 +307,7 @@ void TrueTimeMotion<dim>::begin_step() {
 template <int dim>
 void TrueTimeMotion<dim>::end_step() {
   carried_->take_increments();
+  if (relative_) relative_->react(plan_->clock.dt);
   weigh_points();
   press_points(*c_.pressure);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mpm/coupling/relative_inertia.h"
 #include "mpm/coupling/skeleton_of_flow.h"
 
 namespace wetfront::mpm {
@@ -8,7 +9,8 @@ namespace wetfront::mpm {
 /// as many explicit cycles as its stability asks for, undrained; then water seeps for the whole step, implicitly,
 /// through the pores where they are by then.
 ///
-/// Points carry "grain mass" beside "mass", which is that of grains and water here.
+/// With the scheme semi-implicit the water has inertia against the grains too (RelativeInertia): the flow
+/// is solved after every cycle then. Points carry "grain mass" beside "mass", which is that of grains and water here.
 template <int dim>
 class TrueTimeMotion : public SkeletonOfFlow<dim> {
  public:
@@ -32,10 +34,13 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
   double volume_of(const Block& block) const;
   void add_pore_force();
   void move_undrained();
+  void pay_reaction();
   void choose_cycles();
+  void add_growth();
   void answer();
   double answered(std::size_t node) const;
   void weigh_points();
+  double stable_cycle() const;
   double longest_cycle() const;
 
   using SkeletonOfFlow<dim>::c_, SkeletonOfFlow<dim>::carried_, SkeletonOfFlow<dim>::contents_,
@@ -43,8 +48,9 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
       SkeletonOfFlow<dim>::volume_, SkeletonOfFlow<dim>::water_, SkeletonOfFlow<dim>::refresh_geometry,
       SkeletonOfFlow<dim>::press_points;
   Column *mass_ = nullptr, *grains_ = nullptr, *force_ = nullptr, *water_of_points_ = nullptr, *brought_ = nullptr;
-  Column* cycles_per_step_ = nullptr;
+  Column* cycles_per_step_ = nullptr;  ///< null: one
   const Column *position_ = nullptr, *velocity_ = nullptr;
+  std::unique_ptr<RelativeInertia<dim>> relative_;  ///< null: water goes with the grains but for Darcy's flux
   std::vector<Cell> cells_;
   std::vector<double> block_volume_;                ///< of the blocks, before they move [m^dim]
   std::vector<std::vector<double>> pores_, grown_;  ///< nodes, per region [m^dim]

@@ -138,10 +138,15 @@ void join_water_boundaries(StagePlan<dim>& plan, const std::shared_ptr<NodalWate
 template <int dim>
 void join_seepage(StagePlan<dim>& plan, const std::shared_ptr<SkeletonCycle<dim>>& cycle) {
   const std::string where = plan.stage.origin + ": stage '" + plan.stage.name + "' ";
-  if (cycle != nullptr && *plan.stage.liquid == LiquidScheme::semi_implicit)
+  const bool inertia = cycle != nullptr && *plan.stage.liquid == LiquidScheme::semi_implicit;
+  if (inertia && plan.stage.motion == SkeletonMotion::quasi_static)
     throw CannotPlan(where +
-                     "uses the scheme semi-implicit in a deforming skeleton (that is not there yet). Use seepage with "
-                     "quasi-static motion, or implicit-drag with dynamic motion");
+                     "uses the scheme semi-implicit with quasi-static motion (from equilibrium to equilibrium nothing "
+                     "has inertia, so its water can have none against the grains). Use seepage, or dynamic motion");
+  if (inertia && plan.problem.skeleton.update != StressUpdate::musl)
+    throw CannotPlan(where +
+                     "uses the scheme semi-implicit in a skeleton that does not map its velocities back (its step is "
+                     "known to be stable with MUSL only). Use musl, or the scheme seepage");
   auto water = std::make_shared<NodalWater<dim>>();
   std::unique_ptr<SkeletonOfFlow<dim>> split;
   if (cycle != nullptr && plan.stage.motion == SkeletonMotion::dynamic)

@@ -99,6 +99,7 @@ struct NoInertia {
   AtPoint at(std::size_t, double, const Tensor&) const {
     return {};
   }
+  void drive(std::size_t, Vector<dim>&) const {}
 };
 
 }  // namespace wetfront::mpm

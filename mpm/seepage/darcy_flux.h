@@ -45,6 +45,7 @@ struct DarcyFlux {
       here.grad[i] = tensor.to_axes(here.grad[i]);
     }
     driving(slope);
+    inertia.drive(q, slope);
     here.drive = tensor.to_axes(slope);
     here.relative = permeability.at(here.shape, p, reach[q]);
     return here;

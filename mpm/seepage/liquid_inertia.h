@@ -30,6 +30,19 @@ struct LiquidInertia {
     for (int c = 0; c < dim; ++c) old[c] = (*flux)[c][point];
     return {tensor.to_axes(old), porosity_over_density * (*saturation)[0][point] * dt};
   }
+  void drive(std::size_t, Vector<dim>&) const {}
+};
+
+/// The same against grains that move (coupling/README.md section 8b): the body force is g - a_s, and "saturation" is
+/// n S/(1 - rho_l n S/rho), since the body gives way to what its water does.
+template <int dim>
+struct LiquidInertiaInMotion : LiquidInertia<dim> {
+  const Column* acceleration;  ///< a_s of the points [m/s2]
+  double density;              ///< of the liquid [kg/m3]
+
+  void drive(std::size_t point, Vector<dim>& slope) const {
+    for (int c = 0; c < dim; ++c) slope[c] += density * (*acceleration)[c][point];
+  }
 };
 
 }  // namespace wetfront::mpm

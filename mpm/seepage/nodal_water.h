@@ -29,6 +29,7 @@ struct NodalWater {
   };
 
   std::vector<Kernel*> terms;
+  std::vector<Kernel*> accepted;  ///< run when a solve is taken, `trial` and `dt` being its own
   std::vector<Held> held;
   Ties ties;
   /// Told before every solve from when until when it goes: what changes in time takes its values there.

@@ -26,8 +26,13 @@ void Seepage<dim>::provide_columns(StagePlan<dim>& plan) {
   columns_.steps = &plan.provide_on_run({"seepage steps", "dt", "s", step_memory_entries});
   columns_.point_pressure = &plan.provide_on_points({"pressure", "p", "Pa"});
   columns_.point_saturation = &plan.provide_on_points({"saturation", "S", "-"});
-  if (plan.stage.liquid == LiquidScheme::semi_implicit)
+  if (plan.stage.liquid == LiquidScheme::semi_implicit) {
     columns_.flux = &plan.provide_on_points({"flux", "q", "m/s", dim});
+    if (skeleton_ != nullptr) {
+      columns_.acceleration = &plan.provide_on_points({"skeleton acceleration", "a_s", "m/s2", dim});
+      columns_.yielding = &plan.provide_on_points({"yielding water content", "nS*", "-", 1, Lifetime::step});
+    }
+  }
   water_->trial = in_step("trial pressure", "p*", "Pa");
   water_->stored = in_step("trial stored water", "W*", volume);
   water_->capacity = in_step("capacity", "dW/dp", volume + "/Pa");
@@ -120,7 +125,6 @@ void Seepage<dim>::join(StagePlan<dim>& plan) {
     plan.add(Phase::pressure, "Newton's method", [this] { step_->cover(); });
   else
     plan.add(Phase::pressure, "Newton's method and step control", [this] { step_->run(); });
-  for (const auto& add : after_step_) add();
   plan.at_ready([this, &plan] { prepare(plan); });
   if (skeleton_ != nullptr)
     add_moving_points(plan);

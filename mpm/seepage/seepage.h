@@ -25,7 +25,9 @@ class Seepage : public Effect<dim> {
             scheme == LiquidScheme::seepage ? "seepage" : "semi-implicit liquid", std::move(origin),
             scheme == LiquidScheme::seepage
                 ? "Lee 2021 Eqs 1 and 4 without inertia, Eq. 4 in flux form; Eqs 5 to 8; mpm/README.md section 3"
-                : "Lee 2021 Eqs 1 and 4 in flux form, v_s = 0; Eqs 5 to 8; mpm/README.md section 3"),
+            : skeleton == nullptr
+                ? "Lee 2021 Eqs 1 and 4 in flux form, v_s = 0; Eqs 5 to 8; mpm/README.md section 3"
+                : "Lee 2021 Eqs 1, 2 and 4 in flux form; Eqs 5 to 8; mpm/coupling/README.md section 8b"),
         water_(std::move(water)),
         skeleton_(std::move(skeleton)) {}
   void join(StagePlan<dim>& plan) override;
@@ -55,7 +57,6 @@ class Seepage : public Effect<dim> {
   std::vector<int> slots_;        ///< matrix entries of every cell, cell_nodes^2 each
   std::vector<double> mobility_;  ///< k/mu of every cell [m2/(Pa s)]
   std::vector<double> reach_;     ///< half the box of every point, in local coordinates
-  std::vector<std::function<void()>> after_step_;
   std::unique_ptr<SeepageStep<dim>> step_;
 };
 

@@ -339,6 +339,7 @@ template <int dim>
 void SeepageStep<dim>::accept(const Formula& f, double dt) {
   const Bdf2Weights& w = f.weights;
   const auto shift = [](Column& from, Column& to) { std::ranges::copy(from.values(), to.values().begin()); };
+  for (Kernel* kernel : water_.accepted) kernel->run();
   const double *now = (*water_.stored)[0], *last = (*c_.stored)[0], *before = (*c_.stored_before)[0];
   // What a held node needs beyond the flow through the soil comes in through the boundary.
   for (const auto& held : water_.held) {

@@ -17,6 +17,9 @@ struct SeepageColumns {
   Column* steps;  ///< on the run: see StepMemory
   Column *point_pressure, *point_saturation;
   Column* flux = nullptr;  ///< q of the points [m/s], with inertia only
+  /// With inertia on a skeleton that moves (coupling/relative_inertia.h), at the points: a_s [m/s2] over the step's
+  /// motion, and n S/(1 - rho_l n S/rho) [-].
+  Column *acceleration = nullptr, *yielding = nullptr;
 };
 
 /// Components of the run column "seepage steps".

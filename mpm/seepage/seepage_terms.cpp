@@ -65,12 +65,18 @@ void Seepage<dim>::add_flux(StagePlan<dim>& plan) {
         add(NoInertia<dim>{});
         return;
       }
-      const auto flux = add(
-          LiquidInertia<dim>{columns_.flux, columns_.point_saturation, soil.porosity / plan.problem.water->density});
-      const auto remember = [flux, memory = columns_.flux](const Block& block) { flux.remember(block, *memory); };
-      after_step_.push_back([&plan, region, remember, name = "flux of points [" + soil.name + "]"] {
-        plan.add_over_blocks(Phase::pressure, name, region, remember);
-      });
+      const auto add_with_memory = [&](const auto& inertia) {
+        const auto remember = [&points = plan.fields.points, region, flux = add(inertia), memory = columns_.flux] {
+          for (const Block& block : points.blocks(region)) flux.remember(block, *memory);
+        };
+        water_->accepted.push_back(&plan.add_iterated(Phase::pressure, "flux of points [" + soil.name + "]", remember));
+      };
+      const double density = plan.problem.water->density;
+      if (columns_.acceleration == nullptr)
+        add_with_memory(LiquidInertia<dim>{columns_.flux, columns_.point_saturation, soil.porosity / density});
+      else
+        add_with_memory(LiquidInertiaInMotion<dim>{
+            {columns_.flux, columns_.yielding, 1 / density}, columns_.acceleration, density});
     });
   }
 }

@@ -19,7 +19,8 @@ class SoilContent {
 
   ValueAndSlope at(double p) const {
     const double above = p + entry_;
-    if (above > 0) return {curve_.s_max() + stored_per_pressure_ * above, stored_per_pressure_};
+    // At the kink itself as above it: there the curve's slope is none, and a full node would hold no water of its own.
+    if (above >= 0) return {curve_.s_max() + stored_per_pressure_ * above, stored_per_pressure_};
     const ValueAndSlope saturation = curve_.saturation_at(-p);
     return {saturation.value, -saturation.slope};
   }

@@ -163,7 +163,8 @@ namespace {
 
 /// Its cycle is the step of the plan; otherwise mpm/coupling/ runs it as often as it takes.
 bool rules_the_steps(const Stage& stage) {
-  return stage.motion == SkeletonMotion::dynamic && stage.liquid != LiquidScheme::seepage;
+  return stage.motion == SkeletonMotion::dynamic && stage.liquid != LiquidScheme::seepage &&
+         stage.liquid != LiquidScheme::semi_implicit;
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
   const auto& points = plan.fields.points;
   const double before = !after_seepage ? 0 : carried_before_ ? points.sum(*point_water_) : seepage->sum();
   const Column& volume = *points.columns.find("volume");
+  std::vector<Taker> takers;
   for (std::size_t r = 0; r < plan.problem.soils.size(); ++r)
     with_soil_water(plan.problem.soils[r], *plan.problem.water, [&](const auto& laws) {
       const WaterContent law(laws.curve, plan.problem.water->bulk_modulus);
@@ -43,12 +44,13 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
         }
         if (!after_seepage) content = law.value(pressure);
         if (carried_before_)
-          fit_full_cell(plan, block, content, law.saturated());
+          fit_full_cell(plan, block, content, law, takers);
         else
           for (std::size_t q = block.first; q < block.first + block.count; ++q)
             (*point_water_)[0][q] = laws.porosity * content * volume[0][q];
       }
     });
+  if (carried_before_) give_back(plan, points.sum(*point_water_) - before, takers);
   // A body that moves takes its liquid along.
   if (const Column* solid = points.columns.find("velocity"); cycle_ != nullptr && solid != nullptr)
     std::ranges::copy(solid->values(), point_velocity_->values().begin());
@@ -69,18 +71,44 @@ void TwoVelocityLiquid<dim>::take_over(StagePlan<dim>& plan) {
 
 /// Points that have carried their water keep it, but where the cell is full: there their own tells their pressure badly
 /// (1e-4 of it is 2e4 Pa), and the nodes' pressures have held the balance of forces. In between the one passes into the
-/// other.
+/// other. What keeps its own can take some of what full cells have too much or too little of.
 template <int dim>
+template <class Law>
 void TwoVelocityLiquid<dim>::fit_full_cell(const StagePlan<dim>& plan, const Block& block, double content,
-                                           double saturated) {
+                                           const Law& law, std::vector<Taker>& takers) {
   constexpr double nearly_full = 0.01;  // in S, as for points in seepage (coupling/carried_water.cpp)
-  const double own = std::clamp((saturated - content) / nearly_full, 0.0, 1.0);
+  const double own = std::clamp((law.saturated() - content) / nearly_full, 0.0, 1.0);
   const auto& columns = plan.fields.points.columns;
   const Column &grains = *columns.find("mass"), &volume = *columns.find("volume");
   const double density = plan.problem.soils[static_cast<std::size_t>(block.soil)].grain_density;
+  double held = 0, pores = 0;
   for (std::size_t q = block.first; q < block.first + block.count; ++q) {
     double& water = (*point_water_)[0][q];
-    water += (1 - own) * ((volume[0][q] - grains[0][q] / density) * content - water);
+    const double room = volume[0][q] - grains[0][q] / density;
+    water += (1 - own) * (room * content - water);
+    held += water;
+    pores += room;
+  }
+  const double p = own > 0 ? law.pressure_of(held / pores) : 0;
+  if (p < 0) takers.push_back({block, own * law.slope(p), own * pores * law.slope(p)});
+}
+
+/// `change`: water that full cells were given, > 0, by taking their nodes' pressures. The cells that are not full give
+/// it, all at one pressure, as far as that is next to nothing: what the body holds stays what it was.
+template <int dim>
+void TwoVelocityLiquid<dim>::give_back(const StagePlan<dim>& plan, double change, const std::vector<Taker>& takers) {
+  constexpr double next_to_nothing = 10;  // Pa: a thousandth of a metre of water
+  double capacity = 0;
+  for (const Taker& taker : takers) capacity += taker.capacity;
+  if (!(capacity > 0)) return;
+  const double fall = std::clamp(change / capacity, -next_to_nothing, next_to_nothing);
+  const auto& columns = plan.fields.points.columns;
+  const Column &grains = *columns.find("mass"), &volume = *columns.find("volume");
+  for (const Taker& taker : takers) {
+    const Block& block = taker.block;
+    const double density = plan.problem.soils[static_cast<std::size_t>(block.soil)].grain_density;
+    for (std::size_t q = block.first; q < block.first + block.count; ++q)
+      (*point_water_)[0][q] -= fall * taker.slope * (volume[0][q] - grains[0][q] / density);
   }
 }
 

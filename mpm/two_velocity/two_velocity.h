@@ -50,7 +50,15 @@ class TwoVelocityLiquid : public Effect<dim> {
   void add_output(StagePlan<dim>& plan);
   void take_over(StagePlan<dim>& plan);
   std::array<double, cell_nodes<dim>> centre_weights(const StagePlan<dim>& plan, const Block& block) const;
-  void fit_full_cell(const StagePlan<dim>& plan, const Block& block, double content, double saturated);
+  /// A cell that is not full, when the stage begins.
+  struct Taker {
+    Block block;
+    double slope, capacity;  ///< of its content and its water by pressure [1/Pa, m^dim/Pa]
+  };
+  template <class Law>
+  void fit_full_cell(const StagePlan<dim>& plan, const Block& block, double content, const Law& law,
+                     std::vector<Taker>& takers);
+  void give_back(const StagePlan<dim>& plan, double change, const std::vector<Taker>& takers);
   void start_as_darcy(StagePlan<dim>& plan);
   void tell_hand_over(meshes::FieldHistory& history);
   void sum_cells(StagePlan<dim>& plan);

@@ -174,7 +174,11 @@ TEST(Plan, RefusesWhatDoesNotGoTogether) {
   Problem<2> problem = test::seed_column(10, 0.087, 3e-5, 1.0);
   problem.soils[0].elastic = Elastic{10e6, 0.3, "o"};
   problem.stages[0].liquid = LiquidScheme::semi_implicit;
-  EXPECT_THAT(refusal(problem), HasSubstr("semi-implicit in a deforming skeleton"));
+  problem.stages[0].motion = SkeletonMotion::quasi_static;
+  EXPECT_THAT(refusal(problem), HasSubstr("semi-implicit with quasi-static motion"));
+  problem.stages[0].motion = SkeletonMotion::dynamic;
+  problem.skeleton.update = StressUpdate::usl;
+  EXPECT_THAT(refusal(problem), HasSubstr("stable with MUSL only"));
   problem = test::seed_column(10, 0.087, 3e-5, 1.0);
   problem.water.reset();
   EXPECT_THAT(refusal(problem), HasSubstr("no water"));

@@ -21,7 +21,7 @@ std::vector<std::string> quantity_names() {
 std::vector<Key> run_keys() {
   return {
     {"stage", "name", Takes::text, "", required, "", "name", "infiltration"},
-    {"stage", "scheme", Takes::choice, "", optional, "", "how the pore water moves, cheapest first: seepage without inertia, semi-implicit with that of the water, implicit-drag with two velocities, explicit as Lee 2021; auto takes the cheapest that the scene allows; needed with water, but for the reference alone",
+    {"stage", "scheme", Takes::choice, "", optional, "", "how the pore water moves, cheapest first: seepage without inertia, semi-implicit with that of the water (a skeleton that deforms is dynamic then), implicit-drag with two velocities, explicit as Lee 2021; auto takes the cheapest that the scene allows; needed with water, but for the reference alone",
      "seepage", {}, {"auto", "seepage", "semi-implicit", "implicit-drag", "explicit"}},
     {"stage", "until", Takes::time, "s", optional, "", "end of the stage since the start of the run, the latest where an event may end it; needed but with lasts", "110 % of filling"},
     {"stage", "lasts", Takes::quantity, "s", optional, "", "in place of until: end of the stage since its own beginning, for stages that begin with an event", "12 s", {"0 s", "100000 d", true}},

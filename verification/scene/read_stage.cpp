@@ -57,6 +57,10 @@ void read_motion(SectionReader& reader, Stage& stage, bool elastic) {
     reader.complain("skeleton",
                     {"a quasi-static skeleton does not go with " + two_velocities,
                      "two velocities are there for inertia", "Write \"dynamic\", or scheme = \"seepage\"."});
+  if (elastic && stage.motion.quasi_static && stage.scheme == Scheme::semi_implicit)
+    reader.complain("skeleton",
+                    {"a quasi-static skeleton does not go with semi-implicit", "there is no inertia in an equilibrium",
+                     "Write \"dynamic\", or scheme = \"seepage\"."});
   if (!elastic)
     for (const char* key : {"skeleton", "unbalanced_ratio", "relaxation_damping", "coupling_tolerance"})
       reader.unused(key, "every soil of this scene is rigid", "Remove it, or give the soil young and poisson.");
