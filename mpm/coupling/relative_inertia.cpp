@@ -16,7 +16,8 @@ constexpr double owed_share = 1.5;
 template <int dim>
 RelativeInertia<dim>::RelativeInertia(StagePlan<dim>& plan, const SeepageColumns& columns,
                                       const SkeletonCycle<dim>& cycle)
-    : plan_(plan),
+    : fresh_(plan.fields.points.columns.find_allocated(columns.flux->spec().name) == nullptr),
+      plan_(plan),
       c_(columns),
       cycle_(cycle),
       volume_(&plan.require_on_points("volume")),
@@ -32,6 +33,15 @@ RelativeInertia<dim>::RelativeInertia(StagePlan<dim>& plan, const SeepageColumns
 template <int dim>
 bool RelativeInertia<dim>::owes_of(const Column& owed) {
   return std::ranges::any_of(owed.values(), [](double d) { return d != 0; });
+}
+
+template <int dim>
+void RelativeInertia<dim>::begin(NodalWater<dim>& water) {
+  constexpr double long_enough = 1e12;  // s: inertia is nothing beside drag
+  if (!fresh_) return;
+  c_.yielding->fill(1);
+  water.dt = long_enough;
+  for (Kernel* remember : water.accepted) remember->run();
 }
 
 template <int dim>

@@ -20,6 +20,8 @@ class RelativeInertia {
   /// Requires "brought by water" on the run, whose sums take in what points gain.
   RelativeInertia(StagePlan<dim>& plan, const SeepageColumns& columns, const SkeletonCycle<dim>& cycle);
 
+  /// Points take Darcy's flux at the trial pressure when the scheme begins: from none the first one would be a blow.
+  void begin(NodalWater<dim>& water);
   void before_motion();
   /// Stencils are not needed, volumes and velocities are those after a motion of `dt` s.
   void after_motion(double dt);
@@ -31,6 +33,7 @@ class RelativeInertia {
   void pay(double dt);
 
  private:
+  bool fresh_;  ///< no stage before has had a flux
   static bool owes_of(const Column& owed);
   void find_change();
 

@@ -117,6 +117,7 @@ void TrueTimeMotion<dim>::ready() {
 template <int dim>
 void TrueTimeMotion<dim>::begin_stage() {
   if (fresh_) carried_->begin();
+  if (relative_) relative_->begin(*water_);
   weigh_points();
 }
 
