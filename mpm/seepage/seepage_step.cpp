@@ -21,6 +21,11 @@ constexpr std::size_t stalled_iterations = 3;
 constexpr double round_off = 1e-10;
 constexpr int most_iterations = 25;
 constexpr int most_backtracks = 8;
+// Pieces of a surface inside cells share nodes: where one begins to refuse water, what relieves it raises the next one
+// over its kink, far out of balance for next to no pressure, and no length of the step is better than none. The whole
+// step is taken then: the next iteration knows both films (the watchdog of Chamberlain, Powell, Lemarechal & Pedersen
+// 1982).
+constexpr int most_leaps = 6;
 // Growth of at most 2 keeps the variable-step BDF2 stable (its limit is 1 + sqrt 2).
 constexpr double most_growth = 2.0, most_shrinkage = 0.2, safety = 0.9;
 // First step after a break: no node's saturation may change by more than this in an explicit step.
@@ -138,6 +143,7 @@ double SeepageStep<dim>::residual(const Bdf2Weights& weights, double dt) {
 template <int dim>
 bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
   residuals_.assign(1, residual(weights, dt));
+  int leaps = 0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     // At least one iteration: a guess within the tolerance would lose the rain of very small steps.
     if (iteration > 0 && residuals_.back() <= newton_tolerance) return true;
@@ -151,7 +157,12 @@ bool SeepageStep<dim>::newton(const Bdf2Weights& weights, double dt) {
     for (const auto& held : water_.held) water_.matrix->make_identity_row(held.node);
     ++newton_iterations;
     linear_solve_->run();
-    if (!solved_ || !line_search(weights, dt)) return false;
+    if (!solved_) return false;
+    if (!line_search(weights, dt)) {
+      if (++leaps > most_leaps) return false;
+      take(1);
+      residuals_.push_back(residual(weights, dt));
+    }
     double largest = 0;
     for (double u : update_) largest = std::max(largest, std::abs(u));
     if (largest <= stalled_update * pressure_scale_ && residuals_.back() <= stalled_tolerance) return true;
@@ -201,14 +212,20 @@ void SeepageStep<dim>::pin_open_level() {
 }
 
 template <int dim>
+void SeepageStep<dim>::take(double length) {
+  double* trial = (*water_.trial)[0];
+  for (std::size_t i = 0; i < start_.size(); ++i) trial[i] = start_[i] + length * update_[i];
+  for (const auto& limit : water_.limits) limit(start_, trial);
+}
+
+template <int dim>
 bool SeepageStep<dim>::line_search(const Bdf2Weights& weights, double dt) {
   double* trial = (*water_.trial)[0];
   std::copy_n(trial, start_.size(), start_.begin());
   const double before = residuals_.back();
   double length = 1;
   for (int k = 0; k < most_backtracks; ++k, length /= 2) {
-    for (std::size_t i = 0; i < start_.size(); ++i) trial[i] = start_[i] + length * update_[i];
-    for (const auto& limit : water_.limits) limit(start_, trial);
+    take(length);
     residuals_.push_back(residual(weights, dt));
     if (residuals_.back() <= (1 - 1e-4 * length) * before || residuals_.back() <= stalled_tolerance) return true;
   }

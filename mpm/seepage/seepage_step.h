@@ -60,6 +60,8 @@ class SeepageStep {
   bool newton(const Bdf2Weights& weights, double dt);
   bool couple(const Bdf2Weights& weights, double dt);
   void pin_open_level();
+  /// p = start + length * update, within the limits of what stops at a kink.
+  void take(double length);
   bool line_search(const Bdf2Weights& weights, double dt);
   double local_error(const StepPredictor& predictor) const;
   void accept(const Formula& formula, double dt);
