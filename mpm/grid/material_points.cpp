@@ -123,9 +123,8 @@ void MaterialPoints<dim>::carry_over(std::size_t slots, Column& scratch) {
       for (std::size_t k = 0; k < first_.size(); ++k) {
         if (count_of_cell_[k] == 0) continue;
         const double* from = (*column)[c] + first_then_[k];
-        double* there = to + first_[k];
-        const std::size_t end = SlotRooms::rounded(count_of_cell_[k]);
-        for (std::size_t p = 0; p < end; p += SlotRooms::unit) std::copy_n(from + p, SlotRooms::unit, there + p);
+        for (std::size_t p = 0; p < SlotRooms::rounded(count_of_cell_[k]); p += SlotRooms::unit)
+          for (std::size_t q = p; q < p + SlotRooms::unit; ++q) to[first_[k] + q] = from[q];
         if (column->spec().name == "position")
           std::fill(to + first_[k] + count_of_cell_[k], to + first_[k] + room_[k], to[first_[k]]);
       }
@@ -218,7 +217,7 @@ void MaterialPoints<dim>::move(const Grid<dim>& grid, std::span<const Mover> mov
     next = first_[k] + room_[k];
     any = k;
   }
-  if (strayed > blocks_.size() * 2 / 3) lay_out_again(any, scratch);
+  if (strayed > blocks_.size() / 3) lay_out_again(any, scratch);
   remake_blocks(grid);
 }
 

@@ -45,13 +45,10 @@ void DeformingSkeleton<dim>::provide_columns(StagePlan<dim>& plan) {
 template <int dim>
 void DeformingSkeleton<dim>::provide_variants(StagePlan<dim>& plan) {
   const SkeletonScheme& scheme = plan.problem.skeleton;
-  if (scheme.transfer == Transfer::apic) {
+  if (scheme.transfer == Transfer::apic)
     c_.affine = &plan.provide_on_points({"affine velocity", "C", "1/s", dim * dim});
+  if (scheme.transfer == Transfer::apic || scheme.pic > 0)
     c_.node_new_velocity = &plan.provide_on_nodes({"new velocity", "v_i + dt a_i", "m/s", dim, Lifetime::step});
-  } else {
-    c_.node_gain = &plan.provide_on_nodes({"gain", "dt a_i + e v_i", "m/s", dim, Lifetime::step});
-    late_ = dim == 2 && scheme.shape == ShapeFunctions::linear;
-  }
   if (plan.problem.body_acceleration) {
     c_.initial_position = &plan.provide_on_points({"initial position", "X", "m", dim});
     body_ = &plan.provide_on_points({"body acceleration", "b", "m/s2", dim, Lifetime::step});
@@ -254,8 +251,6 @@ void DeformingSkeleton<dim>::join(StagePlan<dim>& plan) {
   cycle_->active = active_.get();
   migration_->prepare(chunks_->size());
   found_.resize(chunks_->size() * soils_.size());
-  if (late_ && plan.problem.skeleton.update == StressUpdate::musl)
-    masses_.reserve(grid.cell_count() * soils_.size());  // no step allocates
   add_kernels(plan);
   add_limits(plan);
   plan.at_begin([this] { find_rates(); });

@@ -45,8 +45,6 @@ class DeformingSkeleton : public Effect<dim> {
   void add_weight();
   void divide_momentum();
   void points();
-  void find_gain();
-  CellMass* masses_of(std::span<const Block> blocks);
   void velocity();
   void move(bool strain, bool move);
   void find_rates();
@@ -74,8 +72,6 @@ class DeformingSkeleton : public Effect<dim> {
   std::unique_ptr<Team> team_;
   std::unique_ptr<ActiveNodes> active_;
   std::vector<MoveFindings> found_;  ///< per soil and chunk
-  bool late_ = false;                ///< points take their velocities when they move
-  std::vector<CellMass> masses_;     ///< per block, then and in MUSL
   double light_ = 0;                 ///< a tenth of the heaviest node [kg]
   long version_ = -1;                ///< of the points' cells when chunks and active nodes were found
 };

@@ -5,18 +5,12 @@
 
 namespace wetfront::mpm {
 
-/// Masses of a quadrilateral between its nodes, M_ij = sum_p m_p N_i N_j: column j holds all i.
-struct CellMass {
-  alignas(32) std::array<std::array<double, 4>, 4> column;
-};
-
 /// What of a cell goes to the nodes.
 struct GatherParts {
   bool motion;  ///< mass and momentum
   bool force;   ///< internal force
   bool b_bar;
   const double* covered = nullptr;  ///< per cell: volume of cells inside the body, else 0; null: no mixed integration
-  CellMass* masses = nullptr;       ///< per block: GatherQuads leaves M_ij here
 };
 
 /// I, II: m_i = sum m_p N_i, momenta sum m_p (v_p + C_p (x_i - x_p)) N_i, internal forces

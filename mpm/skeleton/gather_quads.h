@@ -25,9 +25,9 @@ class GatherQuads {
         const Block& block = blocks[first + k];
         point_.fetch_motion(block.first);
         if (first + k + batch < blocks.size()) point_.fetch_stress(blocks[first + k + batch].first);
-        if (parts_.force) find_mean(block, means[k]);
+        if (parts_.force) means[k] = mean_of(block);
       }
-      for (std::size_t k = 0; k < count; ++k) pass(blocks[first + k], means[k], first + k);
+      for (std::size_t k = 0; k < count; ++k) pass(blocks[first + k], means[k]);
     }
   }
 
@@ -35,24 +35,20 @@ class GatherQuads {
   using Place = std::array<Lanes, 2>;
   /// Sums at the four nodes of the cell.
   struct Sums {
+    Lanes mass{0.0};
     std::array<Lanes, 2> momentum{}, pull{};
-    // Points in lanes:
-    Lanes spherical{0.0};  ///< sum V tr(sigma')/3
-    /// sum m {(1-u)^2, (1-u) u, u^2} {(1-v)^2, (1-v) v, v^2}: all M_ij are among them
-    std::array<std::array<Lanes, 3>, 3> moment{};
+    Lanes spherical{0.0};  ///< sum V tr(sigma')/3, points in lanes
   };
   /// Volume on which the mean stress of the points of a covered cell acts, and that stress (0 elsewhere).
   struct Mean {
-    double volume;
-    alignas(32) std::array<double, lane_count> stress;
+    double volume = 0;
+    alignas(32) std::array<double, lane_count> stress{};
   };
 
-  [[gnu::always_inline]] void find_mean(const Block& block, Mean& mean) const {
+  [[gnu::always_inline]] Mean mean_of(const Block& block) const {
+    Mean mean;
     mean.volume = parts_.covered != nullptr ? parts_.covered[block.cell] : 0;
-    if (mean.volume == 0) {
-      store(Lanes(0.0), mean.stress.data());
-      return;
-    }
+    if (mean.volume == 0) return mean;
     Lanes volume(0.0);
     std::array<Lanes, 4> stress{};
     for (std::size_t p = block.first; p < block.first + block.count; p += lane_count) {
@@ -61,19 +57,20 @@ class GatherQuads {
       each<4>([&](auto q) __attribute__((always_inline)) { stress[q] += v * load(point_.stress[q] + p); });
     }
     store(sums(stress[0], stress[1], stress[2], stress[3]) / sum(volume), mean.stress.data());
+    return mean;
   }
 
-  [[gnu::always_inline]] void pass(const Block& block, const Mean& mean, std::size_t index) {
+  [[gnu::always_inline]] void pass(const Block& block, const Mean& mean) {
     shape_.enter(block);
     if (parts_.motion && parts_.force)
-      shape_.affine() ? sum_up<true, true, true>(block, mean, index) : sum_up<true, true, false>(block, mean, index);
+      shape_.affine() ? sum_up<true, true, true>(block, mean) : sum_up<true, true, false>(block, mean);
     else if (parts_.motion)
-      sum_up<true, false, false>(block, mean, index);
+      sum_up<true, false, false>(block, mean);
     else
-      sum_up<false, true, false>(block, mean, index);
+      sum_up<false, true, false>(block, mean);
   }
   template <bool motion, bool force, bool affine>
-  [[gnu::always_inline]] void sum_up(const Block& block, const Mean& mean, std::size_t index) const {
+  [[gnu::always_inline]] void sum_up(const Block& block, const Mean& mean) const {
     Sums to;
     for (std::size_t p = block.first; p < block.first + block.count; p += lane_count) {
       const Place x{load(point_.position[0] + p), load(point_.position[1] + p)};
@@ -89,7 +86,7 @@ class GatherQuads {
     }
     if constexpr (force)
       if (parts_.b_bar || mean.volume > 0) add_mean(mean, sum(to.spherical), to.pull);
-    if constexpr (motion) give_mass(to, index);
+    if constexpr (motion) shape_.add_to_nodes(to.mass, node_.mass);
     each<2>([&](auto a) __attribute__((always_inline)) {
       if constexpr (motion) shape_.add_to_nodes(to.momentum[a], node_.velocity[a]);
       if constexpr (force) shape_.add_to_nodes(to.pull[a], node_.force[a]);
@@ -99,25 +96,11 @@ class GatherQuads {
   [[gnu::always_inline]] void add_motion(std::size_t p, const Place& u, const Place& other, Sums& to) const {
     const Lanes m = load(point_.mass + p), left = m * other[0], right = m * u[0];
     const Lanes share[4] = {left * other[1], right * other[1], right * u[1], left * u[1]};
-    const Lanes along[3] = {left * other[0], left * u[0], right * u[0]};
-    const Lanes across[3] = {other[1] * other[1], other[1] * u[1], u[1] * u[1]};
-    each<3>([&](auto b) __attribute__((always_inline)) {
-      each<3>([&](auto c) __attribute__((always_inline)) { to.moment[b][c] += along[b] * across[c]; });
-    });
+    to.mass += sums(share[0], share[1], share[2], share[3]);
     each<2>([&](auto a) __attribute__((always_inline)) {
       const Lanes v = load(point_.velocity[a] + p);
       to.momentum[a] += sums(share[0] * v, share[1] * v, share[2] * v, share[3] * v);
     });
-  }
-
-  /// m_i = sum_j M_ij.
-  [[gnu::always_inline]] void give_mass(const Sums& to, std::size_t index) const {
-    const auto& m = to.moment;
-    const Lanes column[4] = {sums(m[0][0], m[1][0], m[1][1], m[0][1]), sums(m[1][0], m[2][0], m[2][1], m[1][1]),
-                             sums(m[1][1], m[2][1], m[2][2], m[1][2]), sums(m[0][1], m[1][1], m[1][2], m[0][2])};
-    shape_.add_to_nodes((column[0] + column[1]) + (column[2] + column[3]), node_.mass);
-    if (parts_.masses != nullptr)
-      each<4>([&](auto j) __attribute__((always_inline)) { store(column[j], parts_.masses[index].column[j].data()); });
   }
 
   template <bool affine>

@@ -21,8 +21,6 @@ struct MoveParts {
   bool strain;  ///< stress and volume
   bool move;    ///< position
   bool b_bar;
-  bool take;  ///< velocities: v_p <- keep v_p + sum N_i g_i (points_cell.h), where points have not yet
-  double keep;
 };
 
 /// What a chunk of cells finds while its points are strained and moved.
@@ -53,8 +51,7 @@ class MoveCells {
       if (b + ahead < blocks.size()) fetch(blocks[b + ahead].first);
       pass(blocks[b], 1 / (size[blocks[b].cell] * size[blocks[b].cell]), found);
     }
-    finish();
-    found.wave = max(found.wave, stiffness_ / mass_);
+    finish(found);
   }
 
  private:
@@ -92,7 +89,6 @@ class MoveCells {
     shape_.enter(block);
     Steps step;
     const double dilation = prepare(step);
-    const Steps gain = parts_.take ? gains() : Steps{};
     for (std::size_t k = 0; k < block.count; k += lane_count) {
       const std::size_t p = block.first + k;
       const LaneMask live = live_lanes(block.count - k);
@@ -101,7 +97,7 @@ class MoveCells {
       typename Shape::Stencil at;
       shape_.map(x, at);
       if (parts_.strain) {
-        if (batch_.points + lane_count > room) finish();
+        if (batch_.points + lane_count > room) finish(found);
         strain(p, live, at, step, dilation);
         const std::size_t count = std::min<std::size_t>(lane_count, block.count - k);
         batch_.pieces[batch_.count++] = {p, static_cast<std::uint32_t>(batch_.points),
@@ -113,11 +109,7 @@ class MoveCells {
         each<dim>([&](auto a) __attribute__((always_inline)) {
           x[a] = select(live, x[a] + shape_.value(step[a], at), x[a]);
           store(x[a], point_.position[a] + p);
-          Lanes v = load(point_.velocity[a] + p);
-          if (parts_.take) {
-            v = select(live, v * parts_.keep + shape_.value(gain[a], at), Lanes(0.0));
-            store(v, point_.velocity[a] + p);
-          }
+          const Lanes v = load(point_.velocity[a] + p);
           square += v * v;
         });
         found.motion = max(found.motion, square * rate);
@@ -137,14 +129,6 @@ class MoveCells {
       });
     });
     return parts_.strain && parts_.b_bar ? shape_.mean_divergence(step) : 0;
-  }
-
-  [[gnu::always_inline]] Steps gains() const {
-    Steps gain;
-    each<dim>([&](auto a) __attribute__((always_inline)) {
-      gain[a] = shape_.field([&](int i) __attribute__((always_inline)) { return node_.gain[a][shape_.node(i)]; });
-    });
-    return gain;
   }
 
   /// Gradient and stress of a piece to the batch, and its volume.
@@ -183,7 +167,7 @@ class MoveCells {
   }
 
   /// The law for the batch, and what it says back to the points.
-  [[gnu::noinline]] void finish() {
+  [[gnu::noinline]] void finish(MoveFindings& found) {
     clear_tail();
     for (std::size_t k = 0; k < batch_.points; k += lane_count) advance(k);
     for (std::size_t n = 0; n < batch_.count; ++n) {
@@ -199,10 +183,8 @@ class MoveCells {
         modulus = load(&batch_.modulus[piece.at]);
       else
         modulus = Lanes(law_.constrained_modulus(Point{}));
-      const Lanes stiffness = modulus * load(point_.volume + p) * piece.rate, mass = load(point_.mass + p);
-      const LaneMask stiffer = live && stiffness * mass_ > stiffness_ * mass;
-      stiffness_ = select(stiffer, stiffness, stiffness_);
-      mass_ = select(stiffer, mass, mass_);
+      const Lanes wave = modulus * load(point_.volume + p) / load(point_.mass + p) * piece.rate;
+      found.wave = max(found.wave, select(live, wave, Lanes(0.0)));
     }
     batch_.points = batch_.count = 0;
   }
@@ -246,7 +228,6 @@ class MoveCells {
   const Law law_;
   MoveParts parts_;
   Batch batch_;
-  Lanes stiffness_{0.0}, mass_{1.0};  ///< E_oed V/h^2 and m of the points where their ratio is largest: no division
 };
 
 }  // namespace wetfront::mpm

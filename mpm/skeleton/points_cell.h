@@ -1,24 +1,27 @@
 #pragma once
 
-#include "mpm/skeleton/gather_cell.h"
-
-#include <algorithm>
+#include "mpm/skeleton/linear_shape.h"
+#include "mpm/skeleton/skeleton_columns.h"
 
 namespace wetfront::mpm {
 
+/// How points take the motion of the nodes.
+enum class Take {
+  increments,  ///< dt a_i: FLIP
+  blend,       ///< the same, with a share of v_i + dt a_i (PIC)
+  affine,      ///< v_i + dt a_i and its gradient (APIC)
+};
 struct TransferParts {
   double dt;
-  double keep;                       ///< FLIP: 1 less the share of PIC
-  bool back;                         ///< the points' new momenta go to the nodes (MUSL)
-  double light;                      ///< nodal mass below which accelerations strain less (DeformingSkeleton::strained)
-  const CellMass* masses = nullptr;  ///< per block: of points that take their velocities only when they move
+  double pic;    ///< share of the nodes' velocities themselves
+  bool back;     ///< the points' new momenta go to the nodes (MUSL)
+  double light;  ///< nodal mass below which accelerations strain less (DeformingSkeleton::strained)
 };
 
-/// III: v_p += dt sum N_i a_i (Eq. 13), with a share e of sum N_i (v_i + dt a_i) (PIC), in one:
-///   v_p <- (1-e) v_p + sum N_i g_i,   g_i = dt a_i + e v_i;
-/// `apic`: all of sum N_i (v_i + dt a_i), and C_p = its gradient (Jiang et al. 2015: for linear functions their B D^-1
-/// is the gradient). MUSL: momenta back to the nodes (Eq. 14).
-template <int dim, class Shape, bool apic>
+/// III: v_p += dt sum N_i a_i (Eq. 13), with a share of sum N_i (v_i + dt a_i) (PIC), or all of that and C_p = its
+/// gradient (APIC, Jiang et al. 2015: for linear functions their B D^-1 is the gradient). MUSL: momenta back to the
+/// nodes (Eq. 14).
+template <int dim, class Shape, Take kind>
 class PointsCell {
  public:
   static constexpr int nodes = Shape::nodes;
@@ -41,15 +44,17 @@ class PointsCell {
 
   template <bool back>
   [[gnu::always_inline]] void pass(const Block& block) const {
-    Nodal gain, velocity;
+    Nodal change, velocity;
     each<dim>([&](auto a) __attribute__((always_inline)) {
-      gain[a] = shape_.field([&](int i) __attribute__((always_inline)) {
+      change[a] = shape_.field([&](int i) __attribute__((always_inline)) {
         const int node = shape_.node(i);
-        if constexpr (!apic) return node_.gain[a][node];
+        const double gain = parts_.dt * node_.acceleration[a][node];
         // What the new velocity, whose gradient points take, lacks at light nodes.
-        return parts_.dt * node_.acceleration[a][node] * (1 - std::min(1.0, node_.mass[node] / parts_.light));
+        if constexpr (kind == Take::affine) return gain * (1 - std::min(1.0, node_.mass[node] / parts_.light));
+        return gain;
       });
-      if constexpr (apic) velocity[a] = shape_.field([&](int i) { return node_.new_velocity[a][shape_.node(i)]; });
+      if constexpr (kind != Take::increments)
+        velocity[a] = shape_.field([&](int i) { return node_.new_velocity[a][shape_.node(i)]; });
     });
     std::array<std::array<Lanes, nodes>, dim> momentum{};
     for (std::size_t k = 0; k < block.count; k += lane_count) {
@@ -61,14 +66,13 @@ class PointsCell {
         v[a] = load(point_.velocity[a] + p);
       });
       typename Shape::Stencil at;
-      if constexpr (apic) {
+      if constexpr (kind == Take::affine) {
         shape_.all(x, at);
         take_affine(velocity, at, p, live, v);
-        each<dim>([&](auto a) __attribute__((always_inline)) { v[a] += shape_.value(gain[a], at); });
+        each<dim>([&](auto a) __attribute__((always_inline)) { v[a] += shape_.value(change[a], at); });
       } else {
         shape_.values(x, at);
-        each<dim>([&](auto a)
-                      __attribute__((always_inline)) { v[a] = v[a] * parts_.keep + shape_.value(gain[a], at); });
+        take(change, velocity, at, v);
       }
       each<dim>([&](auto a) __attribute__((always_inline)) { store_live(v[a], point_.velocity[a] + p, live); });
       if constexpr (back) give(p, x, v, at, momentum);
@@ -79,6 +83,13 @@ class PointsCell {
       });
   }
 
+  [[gnu::always_inline]] void take(const Nodal& change, const Nodal& velocity, const typename Shape::Stencil& at,
+                                   Place& v) const {
+    each<dim>([&](auto a) __attribute__((always_inline)) {
+      v[a] += shape_.value(change[a], at);
+      if constexpr (kind == Take::blend) v[a] += (shape_.value(velocity[a], at) - v[a]) * parts_.pic;
+    });
+  }
   void take_affine(const Nodal& velocity, const typename Shape::Stencil& at, std::size_t p, const LaneMask& live,
                    Place& v) const {
     for (int a = 0; a < dim; ++a) {
@@ -98,7 +109,7 @@ class PointsCell {
       const Lanes share = m * at.value[i];
       each<dim>([&](auto a) __attribute__((always_inline)) {
         Lanes u = v[a];
-        if constexpr (apic)
+        if constexpr (kind == Take::affine)
           for (int b = 0; b < dim; ++b) u += load(point_.affine[a * dim + b] + p) * shape_.arm(i, b, x, at);
         momentum[a][i] += share * u;
       });

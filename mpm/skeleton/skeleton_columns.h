@@ -16,8 +16,7 @@ struct SkeletonColumns {
   Column* suction = nullptr;           ///< points, where a law needs it
   Column *node_mass = nullptr, *node_force = nullptr, *node_velocity = nullptr, *node_acceleration = nullptr,
          *node_displacement = nullptr;
-  Column* node_gain = nullptr;          ///< FLIP: dt a_i + e v_i, e the share of PIC (skeleton_step.cpp)
-  Column* node_new_velocity = nullptr;  ///< APIC: v_i + dt a_i
+  Column* node_new_velocity = nullptr;  ///< v_i + dt a_i, where points take some of it
 };
 
 /// Where the values of the columns lie while points stay in their slots.
@@ -49,12 +48,11 @@ struct NodePlaces {
   explicit NodePlaces(const SkeletonColumns& c) : mass((*c.node_mass)[0]) {
     for (int a = 0; a < dim; ++a) {
       force[a] = (*c.node_force)[a], velocity[a] = (*c.node_velocity)[a], acceleration[a] = (*c.node_acceleration)[a];
-      if (c.node_gain != nullptr) gain[a] = (*c.node_gain)[a];
       if (c.node_new_velocity != nullptr) new_velocity[a] = (*c.node_new_velocity)[a];
     }
   }
   double* mass;
-  std::array<double*, dim> force, velocity, acceleration, gain{}, new_velocity{};
+  std::array<double*, dim> force, velocity, acceleration, new_velocity{};
 };
 
 /// Lanes that hold points among four slots, of which `left` and fewer are live.
@@ -63,9 +61,9 @@ struct NodePlaces {
   return load(index) < static_cast<double>(left);
 }
 
-/// Stores what a full chunk of lanes holds in a carried column; beyond the live points these hold nothing but zeros.
+/// Stores what a full chunk of lanes holds; beyond the live points nothing changes.
 [[gnu::always_inline]] inline void store_live(const Lanes& value, double* to, const LaneMask& live) {
-  store(select(live, value, Lanes(0.0)), to);
+  store(select(live, value, load(to)), to);
 }
 
 }  // namespace wetfront::mpm

@@ -57,10 +57,6 @@ struct SkeletonCycle {
 
   Kernel *gather = nullptr, *accelerate = nullptr, *points = nullptr, *velocity = nullptr, *move = nullptr,
          *migrate = nullptr;
-  /// Set while points have still to take their velocities of the step, v_p <- keep v_p + sum N_i gain_i: `points` has
-  /// then mapped back what they will have, and `move` lets them take it.
-  const Column* gain = nullptr;
-  double keep = 1;
   /// The longest stable dt at the present state, without a safety factor [s].
   std::function<double()> stable_step;
   /// The least time in which a point crosses its cell, h/|v| [s].

@@ -22,8 +22,7 @@ template <int dim>
 void DeformingSkeleton<dim>::refresh() {
   const auto& points = plan_->fields.points;
   if (version_ == points.version()) return;
-  for (Column* column :
-       {c_.node_mass, c_.node_force, c_.node_velocity, c_.node_acceleration, c_.node_gain, c_.node_new_velocity})
+  for (Column* column : {c_.node_mass, c_.node_force, c_.node_velocity, c_.node_acceleration, c_.node_new_velocity})
     for (int c = 0; column != nullptr && c < column->spec().components; ++c)
       for (const NodeRun& run : active_->runs()) std::fill((*column)[c] + run.first, (*column)[c] + run.last, 0.0);
   active_->clear();
@@ -45,7 +44,6 @@ void DeformingSkeleton<dim>::refresh() {
 template <int dim>
 void DeformingSkeleton<dim>::gather() {
   refresh();
-  cycle_->gain = nullptr;  // of a step that was given up
   for (Column* column : {c_.node_mass, c_.node_force, c_.node_velocity})
     for (int c = 0; c < column->spec().components; ++c)
       for (const NodeRun& run : active_->runs()) std::fill((*column)[c] + run.first, (*column)[c] + run.last, 0.0);
@@ -62,21 +60,11 @@ void DeformingSkeleton<dim>::gather() {
 
 template <int dim>
 void DeformingSkeleton<dim>::gather_cells(bool motion, bool force) {
-  GatherParts parts{motion, force, plan_->problem.skeleton.locking == LockingRemedy::b_bar,
-                    covered_ ? covered_->volumes() : nullptr};
-  if (late_ && plan_->problem.skeleton.update == StressUpdate::musl)
-    masses_.resize(plan_->fields.points.blocks().size());
-  over_chunks([&](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
-    GatherParts own = parts;
-    own.masses = masses_of(blocks);
-    soil.gather(blocks, own);
+  const GatherParts parts{motion, force, plan_->problem.skeleton.locking == LockingRemedy::b_bar,
+                          covered_ ? covered_->volumes() : nullptr};
+  over_chunks([&parts](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
+    soil.gather(blocks, parts);
   });
-}
-
-/// Where the masses between nodes of these blocks are kept; null where the scheme does not ask for them.
-template <int dim>
-CellMass* DeformingSkeleton<dim>::masses_of(std::span<const Block> blocks) {
-  return masses_.empty() ? nullptr : masses_.data() + (blocks.data() - plan_->fields.points.blocks().data());
 }
 
 /// Accelerations that the problem gives to the points, at the beginning of the step.
@@ -153,37 +141,25 @@ void DeformingSkeleton<dim>::find_light() {
   light_ = share * heaviest;
 }
 
-/// What points take of the nodes: dt a_i + e v_i with a share e of PIC; with APIC v_i + dt a_i.
-template <int dim>
-void DeformingSkeleton<dim>::find_gain() {
-  const SkeletonScheme& scheme = plan_->problem.skeleton;
-  const bool apic = scheme.transfer == Transfer::apic;
-  Column& gain = apic ? *c_.node_new_velocity : *c_.node_gain;
-  for (int a = 0; a < dim; ++a)
-    for (const NodeRun& run : active_->runs())
-      for (std::size_t i = run.first; i < run.last; ++i)
-        gain[a][i] = (apic ? 1.0 : scheme.pic) * (*c_.node_velocity)[a][i] +
-                     (apic ? strained(i) : 1.0) * cycle_->dt * (*c_.node_acceleration)[a][i];
-}
-
-/// III: points take the motion of the nodes, or will when they move; MUSL: and give it back.
+/// III: points take the motion of the nodes; MUSL: and give it back.
 template <int dim>
 void DeformingSkeleton<dim>::points() {
   const SkeletonScheme& scheme = plan_->problem.skeleton;
   const bool back = scheme.update == StressUpdate::musl;
-  cycle_->keep = 1 - scheme.pic;
-  find_gain();
+  if (c_.node_new_velocity != nullptr)
+    for (int a = 0; a < dim; ++a)
+      for (const NodeRun& run : active_->runs())
+        for (std::size_t i = run.first; i < run.last; ++i)
+          (*c_.node_new_velocity)[a][i] =
+              (*c_.node_velocity)[a][i] +
+              (scheme.transfer == Transfer::apic ? strained(i) : 1.0) * cycle_->dt * (*c_.node_acceleration)[a][i];
   if (back)
     for (int a = 0; a < dim; ++a)
-      for (const NodeRun& run : active_->runs()) {
-        double* v = (*c_.node_velocity)[a];
-        const double* mass = (*c_.node_mass)[0];
-        for (std::size_t i = run.first; i < run.last; ++i) v[i] = late_ ? cycle_->keep * mass[i] * v[i] : 0.0;
-      }
-  if (late_) cycle_->gain = c_.node_gain;
-  if (late_ && !back) return;
-  over_chunks([&](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
-    soil.points(blocks, {cycle_->dt, cycle_->keep, back, light_, masses_of(blocks)});
+      for (const NodeRun& run : active_->runs())
+        std::fill((*c_.node_velocity)[a] + run.first, (*c_.node_velocity)[a] + run.last, 0.0);
+  const TransferParts parts{cycle_->dt, scheme.pic, back, light_};
+  over_chunks([&parts](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t, std::size_t) {
+    soil.points(blocks, parts);
   });
 }
 
@@ -214,9 +190,7 @@ void DeformingSkeleton<dim>::velocity() {
 /// IV, V and VIII.
 template <int dim>
 void DeformingSkeleton<dim>::move(bool strain, bool move) {
-  const MoveParts parts{
-      cycle_->dt,  strain, move, plan_->problem.skeleton.locking == LockingRemedy::b_bar, cycle_->gain != nullptr,
-      cycle_->keep};
+  const MoveParts parts{cycle_->dt, strain, move, plan_->problem.skeleton.locking == LockingRemedy::b_bar};
   over_chunks([&](const SoilMotion<dim>& soil, std::span<const Block> blocks, std::size_t chunk, std::size_t number) {
     MoveFindings& found = found_[number * chunks_->size() + chunk];
     if (strain) found.wave = Lanes(0.0);
@@ -224,9 +198,7 @@ void DeformingSkeleton<dim>::move(bool strain, bool move) {
     found.leaving = &migration_->leaving(chunk);
     soil.move(blocks, parts, found);
   });
-  if (!move) return;
-  cycle_->gain = nullptr;
-  keep_rates();
+  if (move) keep_rates();
 }
 
 template <int dim>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "mpm/plan/stage_plan.h"
-#include "mpm/skeleton/back_quads.h"
 #include "mpm/skeleton/gather_quads.h"
 #include "mpm/skeleton/move_cell.h"
 #include "mpm/skeleton/points_cell.h"
@@ -77,8 +76,6 @@ class ShapeMotion : public SoilMotion<dim> {
     }
   }
   void points(Blocks blocks, TransferParts parts) const override {
-    if constexpr (std::is_same_v<Shape, LinearShape<2>>)
-      if (parts.masses != nullptr) return BackQuads(shape_, columns_, parts.masses)(blocks);
     const auto over = [blocks](auto cell) {
       constexpr std::size_t ahead = 4;
       for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -87,9 +84,11 @@ class ShapeMotion : public SoilMotion<dim> {
       }
     };
     if (columns_.affine != nullptr)
-      over(PointsCell<dim, Shape, true>(shape_, columns_, parts));
+      over(PointsCell<dim, Shape, Take::affine>(shape_, columns_, parts));
+    else if (columns_.node_new_velocity != nullptr)
+      over(PointsCell<dim, Shape, Take::blend>(shape_, columns_, parts));
     else
-      over(PointsCell<dim, Shape, false>(shape_, columns_, parts));
+      over(PointsCell<dim, Shape, Take::increments>(shape_, columns_, parts));
   }
 
  protected:

@@ -147,8 +147,7 @@ void MovingLiquid<dim>::sum_points(const Block& block, LinearShape<dim>& shape, 
   shape.enter(block);
   // Per node: V, W and W (v_l - v_s), as LiquidNode holds them.
   constexpr int values = 2 + dim;
-  std::array<std::array<Lanes, cell_nodes<dim> / lane_count>, values> sums_of;
-  each<values>([&](auto k) __attribute__((always_inline)) { sums_of[k].fill(Lanes(0.0)); });  // not by a call
+  std::array<std::array<Lanes, cell_nodes<dim> / lane_count>, values> sums_of{};
   Lanes first_moment(0.0);  // sum V x (per axis), then mass
   const double *volume = (*points_.volume)[0], *wet = (*points_.water)[0], *mass = (*points_.mass)[0];
   typename LinearShape<dim>::Stencil at;
@@ -158,8 +157,7 @@ void MovingLiquid<dim>::sum_points(const Block& block, LinearShape<dim>& shape, 
     shape.values(x, at);
     const Lanes v = load(volume + q), w = load(wet + q);
     std::array<Lanes, 4> weigh{v, w, w, w};  // 2-D: the four values of a node
-    std::array<Lanes, 3> moment, flow;
-    moment[2] = flow[2] = Lanes(0.0);
+    std::array<Lanes, 3> moment{}, flow{};
     for (int a = 0; a < dim; ++a) {
       flow[a] = w * (load((*points_.velocity)[a] + q) - load((*points_.solid_velocity)[a] + q));
       moment[a] = v * x[a];

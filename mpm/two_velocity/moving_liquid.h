@@ -78,7 +78,7 @@ class MovingLiquid {
   void sum_points(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws, Shares& share);
   void find_pressure(const Block& block, const LiquidLaws& laws, Found& found);
   void give_pressure(const Block& block, const Shares& share);
-  void points_of(const Block& block, LinearShape<dim>& shape, double keep, double share);
+  void points_of(const Block& block, LinearShape<dim>& shape, double share);
   void limit_of(const Block& block, const LiquidLaws& laws, double modulus, double ahead, Found& found) const;
   bool explains(double pressure) const;
   void push_of_crooked_cell(const Block& block, const LinearShape<dim>& shape, LiquidBlock<dim>& sums) const;
@@ -115,10 +115,10 @@ class MovingLiquid {
   std::size_t group_count_ = 0;
   std::vector<Block> members_;  ///< of the group at hand
   std::vector<LiquidNode<dim>> nodes_;
-  /// What points take of a node [m/s].
+  /// What points take of a node.
   struct Gift {
-    Vector<dim> against;  ///< to v_l - v_s
-    Vector<dim> own;      ///< to v_l
+    Vector<dim> change;   ///< v_l' - v_l [m/s]
+    Vector<dim> towards;  ///< what their v_l - v_s is drawn to [m/s]
   };
   std::vector<Gift> gifts_;
   std::vector<Vector<dim>> back_;      ///< (W (v_l - v_s))_i mapped back

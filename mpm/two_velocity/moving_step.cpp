@@ -87,15 +87,10 @@ void MovingLiquid<dim>::follow_skeleton(double dt) {
 ///
 /// FLIP never sees what points of a cell do against each other, so no drag ever slowed it, and it came back as flux
 /// when points crossed: e is a share of PIC, no more of it than the least drag would take in the step. u_i is the mean
-/// of u_p by water, so that momentum is kept whatever e is. Where the skeleton's points have still to take their own
-/// velocity, v_s' = k v_s + sum N g (SkeletonCycle::gain), it is put in its place:
-///
-///   u' = (1-e) (v_l - k v_s) + sum N ((1-e) (v_l' - v_l - g) + e u)_i,   v_l' = u' + k v_s + sum N g_i.
+/// of u_p by water, so that momentum is kept whatever e is.
 template <int dim>
 void MovingLiquid<dim>::points(double dt) {
   const auto before = axes<dim>(*w_.velocity), after = axes<dim>(*w_.velocity_new);
-  const Column* gain = w_.moving->cycle().gain;
-  const double keep = gain != nullptr ? w_.moving->cycle().keep : 1;
   constexpr double most_share = 0.02;
   const double share = most_share * dt * least_drag_ / (1 + dt * least_drag_);
   over_nodes([&](std::size_t i) {
@@ -103,15 +98,14 @@ void MovingLiquid<dim>::points(double dt) {
     const Vector<dim> solid_new = w_.moving->get_new(solid_at_[i], i, dt);
     const double per_water = nodes_[i].water > 0 ? 1 / nodes_[i].water : 0;
     for (int a = 0; a < dim; ++a) {
-      const double now = before[a][i] - solid_at_[i][a], solid = gain != nullptr ? (*gain)[a][i] : 0.0;
-      const double towards = after[a][i] - solid_new[a] + (nodes_[i].momentum[a] * per_water - now);
-      gifts_[i].against[a] = (1 - share) * (after[a][i] - before[a][i] - solid) + share * towards;
-      gifts_[i].own[a] = gifts_[i].against[a] + solid;
+      const double against = before[a][i] - solid_at_[i][a];
+      gifts_[i].change[a] = after[a][i] - before[a][i];
+      gifts_[i].towards[a] = after[a][i] - solid_new[a] + (nodes_[i].momentum[a] * per_water - against);
     }
   });
   over_cells([&](std::span<const Block> blocks, Found&) {
     LinearShape<dim> shape(plan_.fields.grid);
-    for (const Block& block : blocks) points_of(block, shape, keep, share);
+    for (const Block& block : blocks) points_of(block, shape, share);
   });
   const auto velocity = axes<dim>(*w_.velocity), solid = axes<dim>(w_.moving->velocity_column());
   over_nodes([&](std::size_t i) {
@@ -125,14 +119,14 @@ void MovingLiquid<dim>::points(double dt) {
 
 /// Of one cell.
 template <int dim>
-void MovingLiquid<dim>::points_of(const Block& block, LinearShape<dim>& shape, double keep, double share) {
+void MovingLiquid<dim>::points_of(const Block& block, LinearShape<dim>& shape, double share) {
   shape.enter(block);
   using Field = typename LinearShape<dim>::Field;
-  std::array<Field, dim> against, own;
+  std::array<Field, dim> change, towards;
   for (std::size_t a = 0; a < dim; ++a) {
     const auto gift = [&](int i) -> const Gift& { return gifts_[static_cast<std::size_t>(block.nodes[i])]; };
-    against[a] = shape.field([&](int i) { return gift(i).against[a]; });
-    own[a] = shape.field([&](int i) { return gift(i).own[a]; });
+    change[a] = shape.field([&](int i) { return gift(i).change[a]; });
+    towards[a] = shape.field([&](int i) { return gift(i).towards[a]; });
   }
   std::array<NodeSums<dim>, dim> momentum;
   typename LinearShape<dim>::Stencil at;
@@ -145,10 +139,11 @@ void MovingLiquid<dim>::points_of(const Block& block, LinearShape<dim>& shape, d
     const Lanes w = load((*points_.water)[0] + q);
     for (int a = 0; a < dim; ++a) {
       double* place = (*points_.velocity)[a] + q;
-      const Lanes solid = load((*points_.solid_velocity)[a] + q) * keep;
-      const Lanes left = (load(place) - solid) * (1 - share);
-      store_live(left + solid + shape.value(own[a], at), place, live);
-      momentum[a].add(w * (left + shape.value(against[a], at)), at.value);
+      const Lanes solid = load((*points_.solid_velocity)[a] + q);
+      Lanes u = load(place) - solid + shape.value(change[a], at);
+      u -= share * (u - shape.value(towards[a], at));
+      store_live(u + solid, place, live);
+      momentum[a].add(w * u, at.value);
     }
   }
   double sums[dim][cell_nodes<dim>];

@@ -77,7 +77,6 @@ class MovingSkeleton : public SkeletonAtNodes<dim> {
                                      double dt) const = 0;
 
   Column& force() { return force_; }
-  const SkeletonCycle<dim>& cycle() const { return cycle_; }
   Column& velocity_column() { return velocity_; }
 
  protected:
