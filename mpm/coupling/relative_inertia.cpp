@@ -31,8 +31,8 @@ RelativeInertia<dim>::RelativeInertia(StagePlan<dim>& plan, const SeepageColumns
       owed_(&plan.provide_on_nodes({"displacement owed", "du", "m", dim})) {}
 
 template <int dim>
-bool RelativeInertia<dim>::owes_of(const Column& owed) {
-  return std::ranges::any_of(owed.values(), [](double d) { return d != 0; });
+bool RelativeInertia<dim>::owes() const {
+  return std::ranges::any_of(owed_->values(), [](double d) { return d != 0; });
 }
 
 template <int dim>

@@ -28,13 +28,12 @@ class RelativeInertia {
   /// After the flow of `dt` s; stencils filled.
   void react(double dt);
 
-  bool owes() const { return owes_of(*owed_); }
+  bool owes() const;
   /// "velocity" of the nodes becomes what is owed over `dt` s, and their "displacement" grows by it.
   void pay(double dt);
 
  private:
   bool fresh_;  ///< no stage before has had a flux
-  static bool owes_of(const Column& owed);
   void find_change();
 
   StagePlan<dim>& plan_;

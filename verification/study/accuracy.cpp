@@ -20,10 +20,6 @@ double largest(const PointResult& result, const std::string& quantity, bool with
   return worst;
 }
 
-bool finished(const PointResult& result) {
-  return result.exit != static_cast<int>(Exit::bad_input) && result.exit != static_cast<int>(Exit::gave_up);
-}
-
 }  // namespace
 
 double error_of(const PointResult& result, const std::string& quantity) {
@@ -33,11 +29,17 @@ double bounded_error_of(const PointResult& result, const std::string& quantity) 
   return largest(result, quantity, true);
 }
 
+std::vector<double> errors_of(const std::vector<PointResult>& results, const std::string& quantity) {
+  std::vector<double> errors;
+  for (const PointResult& result : results) errors.push_back(error_of(result, quantity));
+  return errors;
+}
+
 std::optional<std::size_t> cheapest(const std::vector<PointResult>& results, const std::string& quantity,
                                     double target) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (finished(results[i]) && bounded_error_of(results[i], quantity) <= target &&
+    if (results[i].ran() && bounded_error_of(results[i], quantity) <= target &&
         (!best || results[i].candidate_cpu < results[*best].candidate_cpu))
       best = i;
   return best;
@@ -46,7 +48,7 @@ std::optional<std::size_t> cheapest(const std::vector<PointResult>& results, con
 std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::vector<double>& errors) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (finished(results[i]) && std::isfinite(errors[i])) order.push_back(i);
+    if (results[i].ran() && std::isfinite(errors[i])) order.push_back(i);
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return results[i].candidate_cpu; });
   std::vector<std::size_t> front;
   for (const std::size_t i : order)
@@ -55,9 +57,7 @@ std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const s
 }
 
 std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::string& quantity) {
-  std::vector<double> errors;
-  for (const PointResult& result : results) errors.push_back(error_of(result, quantity));
-  return pareto(results, errors);
+  return pareto(results, errors_of(results, quantity));
 }
 
 std::optional<std::size_t> finest_with(const std::vector<AccuracyPoint>& points,
@@ -65,7 +65,7 @@ std::optional<std::size_t> finest_with(const std::vector<AccuracyPoint>& points,
   std::optional<std::size_t> finest;
   int count = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (!finished(results[i]) || std::isnan(value_of(results[i].candidate, outcome))) continue;
+    if (!results[i].ran() || std::isnan(value_of(results[i].candidate, outcome))) continue;
     ++count;
     if (!finest || points[i].cells > points[*finest].cells) finest = i;
   }
@@ -77,7 +77,7 @@ std::vector<double> changes_from(const std::vector<PointResult>& results, std::s
   const double wanted = value_of(results[yardstick].candidate, outcome);
   std::vector<double> changes;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const bool counts = i != yardstick && finished(results[i]);
+    const bool counts = i != yardstick && results[i].ran();
     changes.push_back(counts ? std::abs(value_of(results[i].candidate, outcome) / wanted - 1) : std::nan(""));
   }
   return changes;

@@ -35,6 +35,8 @@ std::vector<AccuracyPoint> window_points(const Scene& scene, double budget);
 double error_of(const PointResult& result, const std::string& quantity);
 /// The same with what the reference itself does not know.
 double bounded_error_of(const PointResult& result, const std::string& quantity);
+/// error_of each, in order.
+std::vector<double> errors_of(const std::vector<PointResult>& results, const std::string& quantity);
 
 /// The cheapest finished point whose error, with the reference's own, is within `target`; nothing where there is none.
 std::optional<std::size_t> cheapest(const std::vector<PointResult>& results, const std::string& quantity,

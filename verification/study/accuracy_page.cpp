@@ -103,10 +103,9 @@ Figure work_precision(const Study& study, const FigureHeading& heading, const Fi
 /// Against the reference; with the reference's own curve where it has one.
 Figure against_reference(const Study& study, const Studied& about, const std::vector<ReferenceCost>& reference) {
   const std::string quantity = about.quantity, name = about.name;
-  std::vector<double> errors;
-  for (const PointResult& result : study.results) errors.push_back(error_of(result, quantity));
-  Figure figure = work_precision(study, {"work_" + quantity, "Error over CPU seconds: " + name, "Error over cost"},
-                                 {"error of " + name, in_metres(quantity) ? "m" : "1"}, errors);
+  Figure figure =
+      work_precision(study, {"work_" + quantity, "Error over CPU seconds: " + name, "Error over cost"},
+                     {"error of " + name, in_metres(quantity) ? "m" : "1"}, errors_of(study.results, quantity));
   if (figure.series.empty()) return figure;
   if (quantity == "pressure_l2" && !reference.empty()) {
     Series line{"reference, at its nodes", Series::Style::line, {}, {}, figure.series.back().colour + 1};

@@ -46,7 +46,7 @@ class Changes {
     found_.push_back(std::move(change));
   }
 
-  /// Of a deforming skeleton the water's inertia is there with two velocities only.
+  /// Against a deforming skeleton the water's inertia is tried with two velocities alone.
   void inertia() {
     const Scheme now = *scene_.stages.back().scheme;
     const char* two = "water and skeleton with velocities of their own";

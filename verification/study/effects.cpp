@@ -17,16 +17,12 @@ double tolerance_on(const Scene& scene, const Outcome& outcome) {
   return std::max(0.01 * std::abs(outcome.value), least);
 }
 
-bool ran(const PointResult& result) {
-  return result.exit != static_cast<int>(Exit::bad_input) && result.exit != static_cast<int>(Exit::gave_up);
-}
-
 }  // namespace
 
 std::vector<Influence> influences(const Scene& scene, const PointResult& base, const PointResult& finer,
                                   const PointResult& changed, double cells) {
   std::vector<Influence> all;
-  if (!ran(base) || !ran(changed)) return all;  // what was refused or gave up says nothing of the effect
+  if (!base.ran() || !changed.ran()) return all;  // what was refused or gave up says nothing of the effect
   for (const Outcome& outcome : base.candidate) {
     Influence one;
     one.outcome = outcome.description;

@@ -23,6 +23,8 @@ struct PointResult {
   double expected_cpu = 0;  ///< of a point left out for its cost: the CPU seconds that its plan expects; else 0
 
   bool left_out() const { return expected_cpu > 0; }
+  /// Neither refused nor given up.
+  bool ran() const { return exit != static_cast<int>(Exit::bad_input) && exit != static_cast<int>(Exit::gave_up); }
 };
 
 /// CPU seconds that the plan of a point expects; 0 for one that is refused: it costs nothing, and running it says why.

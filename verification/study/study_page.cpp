@@ -192,7 +192,7 @@ reports::Record start_study(const std::string& kind, const Scene& scene, const s
   for (const PointResult& result : results) {
     record.cpu_seconds += result.candidate_cpu;
     verdicts.emplace_back().verdict = overall(result.findings);
-    if (result.exit == 2 || result.exit == 3) verdicts.back().verdict = reports::Verdict::inconclusive;
+    if (!result.ran()) verdicts.back().verdict = reports::Verdict::inconclusive;
     if (!result.message.empty()) record.log.push_back(result.name + ": " + result.message);
   }
   record.verdict = overall(verdicts);
