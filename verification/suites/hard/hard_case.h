@@ -64,9 +64,6 @@ struct HardCase {
   /// Lengths of the window of schemes whose skeleton has inertia [s], falling: they take the first they can afford.
   /// None: the row says nothing about so short a time.
   std::vector<double> windows{0.1, 0.02, 0.005};
-  /// Schemes with inertia of which the row has no window, since they are known to miss its bounds: each is told in
-  /// README.md with what it misses them by.
-  std::vector<HardScheme> left_out{};
   std::optional<double> window_from{};  ///< s; else where the water is under way
   double budget = 4;                    ///< CPU seconds per entry
   /// Against the yardstick, at the end of the run. May be called several times, with different ends.

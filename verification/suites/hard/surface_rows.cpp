@@ -123,9 +123,6 @@ HardCase chatter(const std::string& name, const std::string& title, double fract
                               .source = "counting; ks at the base in the steady state",
                               .column = column,
                               .ends = {1200, 1}});
-  // In half a cell what rings after a window has begun passes the thousandth by which the rain is above ks: with
-  // inertia of the water on the grid the count is that of the swings.
-  if (fraction > 0) row.left_out = {HardScheme::moving_semi_implicit};
   row.judge = [](const mpm::Problem<2>& problem, const meshes::FieldHistory& history) {
     std::vector<Reading> readings{
         {"changes between running off and not",
