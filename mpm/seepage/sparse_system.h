@@ -21,13 +21,15 @@ class SparseSystem {
   std::span<double> values();
   /// Makes the row `x = right-hand side`.
   void make_identity_row(int row);
-  /// Solves A x = b for the present values; false when the matrix is singular.
+  /// Solves A x = b for the present values; false when the matrix is singular. The same values give the same bits
+  /// whatever was solved before. Rows without couplings are divided by their diagonal.
   bool solve(std::span<const double> b, std::span<double> x);
-  /// "sparse LU", or "BiCGSTAB + ILUT" for more unknowns than `direct_limit`.
-  std::string method() const;
+  /// True where a factorisation is so dear that BiCGSTAB with ILUT is tried first.
+  bool iterates() const;
 
-  /// Above this many unknowns the fill of a direct solver costs more than some tens of iterations.
-  static constexpr int direct_limit = 3000;
+  /// Floating-point operations of a factorisation per entry of the matrix up to which it costs no more than ILUT and a
+  /// few iterations (.5 us per entry, measured). Slopes in the plane have 70 to 200; cubes of 15 cells have more.
+  static constexpr double most_operations_per_entry = 700;
 
  private:
   struct Implementation;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wetfront::mpm {
@@ -29,10 +30,10 @@ std::unique_ptr<SparseSystem> drifting_laplacian(int side) {
   return made;
 }
 
-void expect_solves(int side, const std::string& method, double tolerance) {
+void expect_solves(int side, bool iterates, double tolerance) {
   const auto made = drifting_laplacian(side);
   SparseSystem& system = *made;
-  EXPECT_EQ(system.method(), method);
+  EXPECT_EQ(system.iterates(), iterates);
   const int n = side * side;
   std::vector<double> b(static_cast<std::size_t>(n)), x(b.size()), check(b.size());
   for (int i = 0; i < n; ++i) b[static_cast<std::size_t>(i)] = std::sin(0.1 * i);
@@ -50,11 +51,11 @@ void expect_solves(int side, const std::string& method, double tolerance) {
 }
 
 TEST(SparseSystem, SolvesDirectly) {
-  expect_solves(20, "sparse LU", 1e-12);
+  expect_solves(20, false, 1e-12);
 }
 
 TEST(SparseSystem, SolvesLargeSystemsIteratively) {
-  expect_solves(150, "BiCGSTAB + ILUT", 1e-7);
+  expect_solves(300, true, 1e-7);
 }
 
 TEST(SparseSystem, ReportsASingularMatrix) {
@@ -62,6 +63,40 @@ TEST(SparseSystem, ReportsASingularMatrix) {
   for (double& value : system.values()) value = 1;
   std::vector<double> b{1, 2}, x(2);
   EXPECT_FALSE(system.solve(b, x));
+}
+
+// A diagonal of next to nothing needs another pivot.
+TEST(SparseSystem, PivotsWhereTheDiagonalIsTooSmall) {
+  SparseSystem system(2, {{0, 1}, {1, 0}});
+  for (double& value : system.values()) value = 1;
+  system.values()[static_cast<std::size_t>(system.slot(0, 0))] = 1e-20;
+  std::vector<double> b{1, 2}, x(2);
+  ASSERT_TRUE(system.solve(b, x));
+  EXPECT_DOUBLE_EQ(x[0], 1);
+  EXPECT_DOUBLE_EQ(x[1], 1);
+}
+
+// A run that goes on from a checkpoint begins with a new system.
+TEST(SparseSystem, WhatWasSolvedBeforeChangesNoBit) {
+  const auto used = drifting_laplacian(20), fresh = drifting_laplacian(20);
+  std::vector<double> b(400, 1.0), x(400), y(400);
+  for (double& value : used->values()) value *= 3;
+  for (int row = 0; row < 400; row += 7) used->make_identity_row(row);
+  ASSERT_TRUE(used->solve(b, x));
+  std::ranges::copy(fresh->values(), used->values().begin());
+  ASSERT_TRUE(used->solve(b, x));
+  ASSERT_TRUE(fresh->solve(b, y));
+  EXPECT_EQ(x, y);
+}
+
+TEST(SparseSystem, RowsWithoutCouplingsStandAlone) {
+  SparseSystem system(4, {{0, 2}, {2, 0}});
+  for (double& value : system.values()) value = 2;
+  system.values()[static_cast<std::size_t>(system.slot(0, 2))] = 1;
+  system.values()[static_cast<std::size_t>(system.slot(2, 0))] = 0;
+  std::vector<double> b{3, 4, 2, 6}, x(4);
+  ASSERT_TRUE(system.solve(b, x));
+  EXPECT_EQ(x, (std::vector<double>{1, 2, 1, 3}));
 }
 
 TEST(SparseSystem, IdentityRowsHoldTheirValue) {
