@@ -294,6 +294,10 @@ double Simulation<dim>::time() const {
   return implementation_->time;
 }
 template <int dim>
+double Simulation<dim>::stage_end() const {
+  return implementation_->problem.stages[implementation_->stage].end_time;
+}
+template <int dim>
 double Simulation<dim>::end() const {
   return implementation_->problem.stages.back().end_time;
 }

@@ -41,7 +41,8 @@ class Simulation {
   bool finished() const;
   void step();  ///< one accepted step; throws GaveUp
   double time() const;
-  double end() const;  ///< of the last stage, as far as it is known [s]
+  double end() const;        ///< of the last stage, as far as it is known [s]
+  double stage_end() const;  ///< of the present stage, if no event ends it earlier [s]
   const BodyRecord& body() const;
   State state() const;
   meshes::FieldHistory take_history();

@@ -174,6 +174,11 @@ TEST_F(CommandLine, WhatCameOutStandsBesideThatOfASecondMesh) {
   const std::string result = reports::read_whole(folder / "out/small_slope/result.json");
   EXPECT_THAT(result, HasSubstr("on twice the cell size"));
   EXPECT_THAT(result, HasSubstr("MPM on twice the cell size: stage 'slide' ends"));
+  // Fields are painted, and the points for ParaView go on to the end of the slide.
+  for (const char* picture : {"pressure_field", "saturation_field", "displacement_field"})
+    EXPECT_TRUE(fs::exists(folder / "out/small_slope/figures" / (std::string(picture) + ".svg"))) << picture;
+  const std::string times = reports::read_whole(folder / "out/small_slope/fields/mpm_points.pvd"), key = "timestep=\"";
+  EXPECT_GT(std::stod(times.substr(times.rfind(key) + key.size())), 200);
   const Output none = wetfront("run " + cases + "dry_column/scene.toml --set comparison.second_mesh=coarser");
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.text, HasSubstr("nothing comes out of a slide"));

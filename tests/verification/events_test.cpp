@@ -1,5 +1,6 @@
 #include "verification/compare/events.h"
 #include "verification/compare/body_outcomes.h"
+#include "verification/compare/missed_events.h"
 
 #include <gtest/gtest.h>
 
@@ -90,6 +91,28 @@ TEST(Events, ASkinThatComesOffFirstIsAShallowFailure) {
   EXPECT_NEAR(value_of(found, "slide_depth"), 0.5, 1e-12);
   EXPECT_EQ(in_words(*find_outcome(found, "failure_depth")), "shallow");
   EXPECT_EQ(in_words(*find_outcome(found, "slide_depth")), "deep");
+}
+
+TEST(MissedEvents, AreTheShareThatDidNotCome) {
+  Scene scene;
+  scene.stages.resize(3);
+  scene.stages[0].name = "rain";
+  scene.stages[0].event.kind = StageEvent::Kind::failure;
+  scene.stages[1].name = "slide";
+  scene.stages[1].event.kind = StageEvent::Kind::rest;
+  mpm::BodyRecord body;
+  body.stages.resize(2);
+  body.stages[0].name = "rain";
+  body.stages[0].ended_by = "failure";
+  body.stages[1].name = "slide";
+  body.stages[1].ended_by = "time";
+  ASSERT_EQ(missed_events(scene, body).size(), 1u);
+  EXPECT_DOUBLE_EQ(missed_events(scene, body)[0].error, 0.5);
+  EXPECT_EQ(missed_events(scene, body)[0].explanation, "rest in stage 'slide'");
+  body.stages[1].ended_by = "rest";
+  EXPECT_EQ(missed_events(scene, body)[0].error, 0);
+  scene.stages.resize(0);
+  EXPECT_TRUE(missed_events(scene, body).empty());
 }
 
 }  // namespace

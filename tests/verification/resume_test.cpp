@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <utility>
 #include <vector>
@@ -71,6 +72,36 @@ TEST_F(Resume, AKilledRunGoesOnToTheSameBitsInEachStage) {
     }
     EXPECT_TRUE(hit) << "no kill hit the " << (slides ? "slide" : "infiltration");
   }
+}
+
+// Ctrl-C: a checkpoint, the report so far, and no scene after it.
+TEST_F(Resume, AnInterruptedRunLeavesItsReportAndGoesOn) {
+  const test::Output whole = wetfront("run " + scene + " --checkpoint 0 --out whole");
+  ASSERT_EQ(whole.code, 0) << whole.text;
+  const std::string name = "stopped/small_slope", dry = WETFRONT_SOURCE_DIR "/verification/cases/dry_column/scene.toml";
+  const std::string command = "cd " + folder.string() + " && { " WETFRONT_PROGRAM " run " + scene + " " + dry +
+                              " --checkpoint 0 --out stopped >said 2>&1 & p=$!; while [ ! -e " + name +
+                              "/checkpoint.cbor ] && kill -0 $p; do sleep 0.005; done; kill -INT $p; wait $p; }";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 3);
+  const std::string said = reports::read_whole(folder / "said");
+  EXPECT_THAT(said, testing::HasSubstr("as asked; --resume goes on from there"));
+  EXPECT_THAT(said, testing::HasSubstr("stopped as asked: 1 more not run"));
+  EXPECT_TRUE(fs::exists(folder / name / "report.html"));
+  EXPECT_FALSE(fs::exists(folder / "stopped/dry_column"));
+  const test::Output on = wetfront("run " + scene + " --resume --out " + name);
+  EXPECT_EQ(on.code, 0) << on.text;
+  EXPECT_FALSE(fs::exists(folder / name / "checkpoint.cbor"));
+  EXPECT_EQ(left_by(name), left_by("whole"));
+}
+
+// What belongs to another scene is neither taken nor overwritten.
+TEST_F(Resume, AnothersCheckpointIsLeftAlone) {
+  fs::create_directories(folder / "out");
+  std::ofstream(folder / "out/checkpoint.cbor") << "of something else";
+  const test::Output refused = wetfront("run " + scene + " --resume --out out");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.text, testing::HasSubstr("is not a whole checkpoint"));
+  EXPECT_EQ(reports::read_whole(folder / "out/checkpoint.cbor"), "of something else");
 }
 
 }  // namespace

@@ -116,6 +116,10 @@ int run(const Paths& scenes, const std::filesystem::path& out, const RunRequest&
     print_findings(result.record);
     worst = worse(worst, result.exit);
     done.push_back(folder);
+    if (result.stopped) {
+      if (i + 1 < read.size()) fmt::print(stderr, "stopped as asked: {} more not run\n", read.size() - i - 1);
+      break;
+    }
   }
   if (done.size() > 1) {
     const auto page = (out.empty() ? std::filesystem::path("out") : out) / "index.html";

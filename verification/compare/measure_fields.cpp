@@ -3,6 +3,7 @@
 #include "verification/scene/weather.h"
 #include "verification/translate/initial_pressure.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -21,6 +22,8 @@ void Measuring::fields() {
   });
   const auto [low, high] = std::ranges::minmax(initial_pressure(scene_, candidate_.mesh));
   const double range = high - low;
+  const bool one_mesh = static_cast<std::size_t>(std::ranges::count_if(weight, [](double w) { return w > 0; })) ==
+                        reference_.mesh.cell_count();
   const Distance linf = [&](const auto& a, const auto& b) { return relative_linf(a, b, weight); };
   const Distance l2 = [&](const auto& a, const auto& b) { return relative_l2(a, b, weight); };
   const Distance of_range = [&](const auto& a, const auto& b) { return root_mean_square(a, b, weight) / range; };
@@ -35,9 +38,26 @@ void Measuring::fields() {
     add({"pressure_linf", "largest difference of pore pressure" + at_time(t), index}, pressure, linf);
     add({"saturation_l2", "relative L2 of saturation" + at_time(t), index}, saturation, l2);
     add({"saturation_linf", "largest difference of saturation" + at_time(t), index}, saturation, linf);
-    if (range > 0)
+    if (range > 0) {
       add({"pressure_l2_range", "rms difference of pore pressure over the initial range" + at_time(t), index}, pressure,
           of_range);
+      // Two codes on one mesh share its error: no bound of the reference belongs to their difference.
+      if (one_mesh)
+        add({"pressure_one_mesh",
+             "the same, of two codes on one mesh" + at_time(t),
+             index,
+             "",
+             of_range(pressure.candidate, pressure.reference.reference),
+             {},
+             ""});
+      add({"pressure_finer",
+           "the same, against the reference on half the cell size" + at_time(t),
+           index,
+           "",
+           of_range(pressure.candidate, pressure.reference.finer),
+           {},
+           ""});
+    }
     front({"front_position", "elevation of the wetting front" + at_time(t), index}, saturation);
   }
 }

@@ -1,5 +1,7 @@
 #include "verification/present/field_files.h"
 
+#include <map>
+
 namespace wetfront::verification {
 namespace {
 
@@ -28,24 +30,37 @@ reports::FieldFile grid_file(const meshes::FieldHistory& history, const meshes::
   return file;
 }
 
+reports::FieldFile points_file(const meshes::FieldHistory& history, const meshes::Snapshot& snapshot,
+                               const std::string& stem) {
+  reports::FieldFile file;
+  file.stem = stem + "_points";
+  file.time = snapshot.time;
+  file.dim = history.mesh.dim;
+  file.nodes = flattened(snapshot.points.position);
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    if (!values.empty()) file.fields.push_back({name, false, 1, values});
+  };
+  add("pore_pressure [Pa]", snapshot.points.pressure);
+  add("saturation [-]", snapshot.points.saturation);
+  return file;
+}
+
 }  // namespace
 
-std::vector<reports::FieldFile> field_files(const meshes::FieldHistory& history, const std::string& stem) {
+std::vector<reports::FieldFile> field_files(const meshes::FieldHistory& history, const std::string& stem,
+                                            const mpm::BodyRecord& body) {
   std::vector<reports::FieldFile> files;
   for (const auto& snapshot : history.snapshots) files.push_back(grid_file(history, snapshot, stem));
-  for (const auto& snapshot : history.snapshots) {
-    if (snapshot.points.position.empty()) continue;
-    reports::FieldFile file;
-    file.stem = stem + "_points";
-    file.time = snapshot.time;
-    file.dim = history.mesh.dim;
-    file.nodes = flattened(snapshot.points.position);
-    if (!snapshot.points.pressure.empty())
-      file.fields.push_back({"pore_pressure [Pa]", false, 1, snapshot.points.pressure});
-    if (!snapshot.points.saturation.empty())
-      file.fields.push_back({"saturation [-]", false, 1, snapshot.points.saturation});
-    files.push_back(std::move(file));
+  std::map<double, reports::FieldFile> points;  // ParaView knows a moment by its time
+  for (const auto& snapshot : history.snapshots)
+    if (!snapshot.points.position.empty()) points[snapshot.time] = points_file(history, snapshot, stem);
+  for (const mpm::Picture& picture : body.pictures) {
+    if (picture.snapshot.points.position.empty()) continue;
+    reports::FieldFile& file = points[picture.snapshot.time] = points_file(history, picture.snapshot, stem);
+    if (!picture.displacement.empty())
+      file.fields.push_back({"displacement [m]", false, 3, flattened(picture.displacement)});
   }
+  for (auto& [time, file] : points) files.push_back(std::move(file));
   return files;
 }
 

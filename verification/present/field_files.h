@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshes/field_history.h"
+#include "mpm/body_record.h"
 #include "reports/record.h"
 
 #include <string>
@@ -8,7 +9,9 @@
 
 namespace wetfront::verification {
 
-/// The snapshots of a solver as files for ParaView: one grid per snapshot, and its material points if it has any.
-std::vector<reports::FieldFile> field_files(const meshes::FieldHistory& history, const std::string& stem);
+/// The snapshots of a solver as files for ParaView: one grid per snapshot, and its material points if it has any. Those
+/// of a body that moves go on through its pictures, whose points have their displacement.
+std::vector<reports::FieldFile> field_files(const meshes::FieldHistory& history, const std::string& stem,
+                                            const mpm::BodyRecord& body = {});
 
 }  // namespace wetfront::verification

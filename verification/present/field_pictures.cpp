@@ -44,9 +44,10 @@ FieldPicture::Panel panel(const std::string& label, std::vector<double> nodal, d
   return {label, std::move(nodal), false};
 }
 
-/// Whether the mesh is one column of cells: a picture of it would be a line.
+/// Whether the mesh is one row or column of cells, where a picture would be a line: n x m cells have
+/// 2 (nm + 1) - (n - 1)(m - 1) nodes.
 bool is_strip(const meshes::Mesh& mesh) {
-  return mesh.node_count() <= 2 * (mesh.cell_count() + 1);
+  return mesh.node_count() >= 2 * (mesh.cell_count() + 1);
 }
 
 bool paintable(const meshes::FieldHistory& history) {

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <stdexcept>
 
 namespace wetfront::verification {
 namespace {
@@ -39,6 +40,10 @@ mpm::Simulation<2> begin(const mpm::Problem<2>& problem, const Stopping& stoppin
   if (!stopping.resume) return mpm::Simulation<2>(problem);
   std::string note;
   const auto state = read_checkpoint(stopping.checkpoint, note);
+  if (!state && !note.empty())
+    throw std::invalid_argument("--resume: " + note +
+                                "nothing to go on from (a run anew would overwrite what is there). Run without "
+                                "--resume, or into another folder");
   if (!note.empty()) fmt::print(stderr, "resume: {}\n", note);
   if (!state) {
     fmt::print(stderr, "resume: there is no checkpoint to go on from, the run begins anew\n");
@@ -62,7 +67,7 @@ Solved run_candidate(const mpm::Problem<2>& problem, const Stopping& stopping) {
       simulation->step();
       if (steps % 16 == 0) {
         const auto& stages = simulation->body().stages;
-        show_progress(simulation->time(), simulation->end(), stages.empty() ? "mpm" : stages.back().name.c_str());
+        show_progress(simulation->time(), simulation->stage_end(), stages.empty() ? "mpm" : stages.back().name.c_str());
       }
       const bool stop = asked_to_stop;
       if (keeps && (stop || std::chrono::duration<double>(WallClock::now() - kept).count() >= stopping.every)) {
@@ -71,13 +76,10 @@ Solved run_candidate(const mpm::Problem<2>& problem, const Stopping& stopping) {
       }
       if (stop) break;
     }
-    const bool stopped = asked_to_stop.exchange(false);
-    Solved solved{simulation->take_history(), "", "", simulation->body()};
-    if (stopped)
+    Solved solved{simulation->take_history(), "", "", simulation->body(), asked_to_stop.exchange(false)};
+    if (solved.stopped)
       solved.gave_up = fmt::format("stopped at t = {:.6g} s as asked{}", simulation->time(),
                                    keeps ? "; --resume goes on from there" : "");
-    else if (keeps)
-      forget_checkpoint(stopping.checkpoint);
     return solved;
   } catch (const mpm::GaveUp& error) {
     return {error.partial, error.what(), "", simulation ? simulation->body() : mpm::BodyRecord{}};

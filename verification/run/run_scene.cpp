@@ -5,6 +5,7 @@
 #include "verification/compare/balance.h"
 #include "verification/compare/body_outcomes.h"
 #include "verification/compare/measure_motion.h"
+#include "verification/compare/missed_events.h"
 #include "verification/compare/verdict.h"
 #include "verification/compare/window.h"
 #include "verification/ledger/rerun_scene.h"
@@ -78,19 +79,21 @@ void add_accuracy(reports::Record& record, const AccurateCandidate& candidate) {
   record.tables.push_back(std::move(table));
 }
 
-/// The same scene on cells of another size; none where the scene asks for none, the run itself gave
-/// up, or that mesh allows none. Nothing it meets may lose the run that is there.
-std::optional<OnSecondMesh> on_second_mesh(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+/// The same scene on cells of another size; none where the scene asks for none, or where either run ended before its
+/// time: half a slide is no measure of doubt. Nothing it meets may lose the run that is there.
+std::optional<OnSecondMesh> on_second_mesh(const Prepared& prepared, RunResult& result) {
   const double factor = prepared.scene.comparison.second_mesh;
-  if (factor == 1 || !candidate.gave_up.empty()) return {};
+  if (factor == 1 || !result.candidate.gave_up.empty()) return {};
   const std::string cells = factor > 1 ? "on half the cell size" : "on twice the cell size", who = "MPM " + cells;
   try {
     const Prepared second = prepare(with_finer_cells(prepared.scene, factor));
     const Solved solved = run_candidate(second.problem);
-    note_solver(record, who, solved);
+    note_solver(result.record, who, solved);
+    result.stopped = solved.stopped;
+    if (!solved.gave_up.empty()) return {};
     return OnSecondMesh{cells, body_outcomes(second.scene, solved.history, solved.body)};
   } catch (const std::exception& problem) {
-    record.log.push_back(who + ": not run: " + problem.what());
+    result.record.log.push_back(who + ": not run: " + problem.what());
     return {};
   }
 }
@@ -110,6 +113,11 @@ void add_body(reports::Record& record, const Prepared& prepared, const Solved& c
   record.tables.insert(record.tables.begin(), tables.begin(), tables.end());
 }
 
+/// What is painted is the ground: the empty cells above it have pressures, of nothing.
+meshes::FieldHistory without_room(const Scene& scene, const meshes::FieldHistory& history) {
+  return room(scene) > 0 ? on_ground(history, reference_mesh(scene, own_cells_over(scene), 0)) : history;
+}
+
 /// Figures over time say from when on the reference knows nothing of the body any more.
 void shade_after(std::vector<reports::Figure>& figures, double failure, double end) {
   if (!std::isfinite(failure)) return;
@@ -122,14 +130,13 @@ void shade_after(std::vector<reports::Figure>& figures, double failure, double e
 void compare_into(reports::Record& record, const Prepared& prepared, RunResult& result) {
   const double failure = failure_time(result.candidate.body);
   Histories histories = histories_of(result.candidate.history, *result.reference);
-  if (room(prepared.scene) > 0)
-    histories.candidate =
-        on_ground(histories.candidate, reference_mesh(prepared.scene, own_cells_over(prepared.scene), 0));
+  histories.candidate = without_room(prepared.scene, histories.candidate);
   const Timeline window = cut_at(prepared.timeline, failure);
   std::optional<Histories> cut;  // five histories: copied only where there is something to cut
   if (std::isfinite(failure)) cut = cut_at(histories, failure);
   auto measurements = measure(prepared.scene, window, cut ? *cut : histories);
   for (Measurement& own : measure_motion(result.candidate.history, failure)) measurements.push_back(std::move(own));
+  for (Measurement& own : missed_events(prepared.scene, result.candidate.body)) measurements.push_back(std::move(own));
   record.findings = judge(prepared.scene, window, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
   WorstPoints worst = worst_points(record.findings, measurements, cut ? *cut : histories);
@@ -155,6 +162,7 @@ void judge_alone(reports::Record& record, const Prepared& prepared, const Solved
   const double failure = failure_time(candidate.body);
   const Timeline window = cut_at(prepared.timeline, failure);
   auto measurements = measure_motion(history, failure);
+  for (Measurement& own : missed_events(prepared.scene, candidate.body)) measurements.push_back(std::move(own));
   if (history.ledger.size() > 1)
     measurements.push_back({"water_balance",
                             "water balance",
@@ -165,8 +173,9 @@ void judge_alone(reports::Record& record, const Prepared& prepared, const Solved
                             ""});
   record.findings = judge(prepared.scene, window, measurements, history.cpu_seconds);
   record.verdict = overall(record.findings);
-  record.figures = figures_of_one(prepared.scene, history, "MPM");
-  if (prepared.scene.water) record.pictures = field_pictures(history, "MPM");
+  const meshes::FieldHistory ground = without_room(prepared.scene, history);
+  record.figures = figures_of_one(prepared.scene, ground, "MPM");
+  if (prepared.scene.water) record.pictures = field_pictures(ground, "MPM");
 }
 
 }  // namespace
@@ -210,13 +219,14 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
   }
   result.candidate = refined ? refined->solved : run_candidate(prepared.problem, stopping);
   note_solver(record, "MPM", result.candidate);
+  result.stopped = result.candidate.stopped;
   if (result.reference)
     compare_into(record, prepared, result);
   else
     judge_alone(record, prepared, result.candidate);
   record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
-  add_body(record, prepared, result.candidate, on_second_mesh(record, prepared, result.candidate));
+  add_body(record, prepared, result.candidate, on_second_mesh(prepared, result));
   add_candidate_tables(record, prepared, result.candidate.history);
   result.exit = exit_for(record.verdict);
   if (!why_given_up(result).empty()) {
@@ -292,12 +302,13 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
   for (const std::string& note : options.notes) result.record.log.insert(result.record.log.begin(), note);
   if (options.ledger) add_difference_ledger(scene, prepared.timeline, options.store, result);
   reports::write_result(result.record, folder);
-  auto files = field_files(result.candidate.history, "mpm");
+  auto files = field_files(result.candidate.history, "mpm", result.candidate.body);
   if (result.reference)
     for (auto& file : field_files(result.reference->reference.history, "reference")) files.push_back(std::move(file));
   std::ranges::move(result.worst_points, std::back_inserter(files));
   reports::write_fields(files, folder);
   std::ofstream(folder / "scene.toml") << scene.text;
+  if (result.candidate.gave_up.empty()) forget_checkpoint(stopping.checkpoint);
   return result;
 }
 

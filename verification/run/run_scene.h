@@ -42,8 +42,9 @@ struct RunResult {
   reports::Record record;
   Exit exit = Exit::pass;
   Solved candidate;
-  std::optional<ReferenceRuns> reference;         ///< absent in a scene that has none
+  std::optional<ReferenceRuns> reference;          ///< absent in a scene that has none
   std::vector<reports::FieldFile> worst_points{};  ///< of fields that fail (present/worst_points.h)
+  bool stopped = false;                            ///< Ctrl-C: nothing more is to be run
 };
 RunResult run_prepared(const Prepared& prepared, const ReferenceStore& store = {}, const Stopping& stopping = {});
 /// The same with a candidate that was refined to an accuracy; `prepared.problem` is not solved.

@@ -19,6 +19,7 @@ struct Solved {
   std::string gave_up;     ///< empty: it reached the end
   std::string taken_from;  ///< file of the store it was taken from; empty: computed now
   mpm::BodyRecord body{};  ///< of the candidate
+  bool stopped = false;    ///< it gave up because it was asked to
 };
 
 /// Where solutions of the reference are kept, each under the hash of its problem and of the code: computed once.

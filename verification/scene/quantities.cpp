@@ -9,6 +9,9 @@ const std::vector<Quantity>& quantities() {
       {"pressure_l2_nodes", "1", Per::time, false, "the same at the nodes, where `seepage` has its unknowns"},
       {"pressure_l2_range", "1", Per::time, false,
        "root mean square of the difference over the range of the initial pressure"},
+      {"pressure_one_mesh", "1", Per::time, false,
+       "the same where both solvers have one mesh, whose error is in both: no bound of the reference is added"},
+      {"pressure_finer", "1", Per::time, false, "the same against the reference on half the cell size, as it is"},
       {"pressure_linf", "1", Per::time, false,
        "pore pressure at cell centres, largest difference over largest reference value"},
       {"saturation_l2", "1", Per::time, false, "degree of saturation at cell centres, relative L2"},
@@ -28,6 +31,8 @@ const std::vector<Quantity>& quantities() {
       {"overshoot", "Pa", Per::run, false, "largest pressure above the ponding limit at the surface"},
       {"energy_balance", "1", Per::run, false,
        "energy that a dynamically moving skeleton gains or loses unexplained, over the largest form of it", true},
+      {"missed_events", "1", Per::run, false,
+       "share of the events that stages are to end with (failure, rest) that did not come in their time", true},
       {"momentum_balance", "1", Per::run, false, "the same of momentum, over the largest of momentum and impulses",
        true},
   };
