@@ -1,6 +1,7 @@
 #include "mpm/boundary/outlets.h"
 
 #include "mpm/boundary/boundary_side.h"
+#include "mpm/grid/soils_of_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,9 @@ namespace wetfront::mpm {
 namespace {
 
 template <int dim>
-double film_of(const StagePlan<dim>& plan, std::size_t cell, double altitude) {
+double film_of(const StagePlan<dim>& plan, std::size_t cell, int region, double altitude) {
   const Problem<dim>& problem = plan.problem;
-  const Soil& soil = problem.soils[static_cast<std::size_t>(plan.fields.grid.region(cell))];
+  const Soil& soil = problem.soils[static_cast<std::size_t>(region)];
   const double factor = problem.conductivity_factor.empty() ? 1 : problem.conductivity_factor[cell];
   const double widest = std::max({soil.anisotropy[0], soil.anisotropy[1], dim == 3 ? soil.anisotropy[2] : 0.0});
   return film_conductance * factor * widest * soil.intrinsic_permeability / (problem.water->viscosity * altitude);
@@ -48,8 +49,10 @@ void place_at_points(const StagePlan<dim>& plan, const SurfacePiece<dim>& piece,
   const auto& grid = plan.fields.grid;
   const auto& points = plan.fields.points;
   const Column& volume = *points.columns.find("volume");
-  const auto block = std::find_if(points.blocks().begin(), points.blocks().end(),
-                                  [&](const Block& b) { return b.cell == piece.cell; });
+  std::vector<std::size_t> slots;
+  for (const Block& block : points.blocks())
+    if (block.cell == piece.cell)
+      for (std::size_t p = block.first; p < block.first + block.count; ++p) slots.push_back(p);
   const double size = std::sqrt(dot<dim>(piece.area, piece.area));
   const auto depth = [&](std::size_t p) {
     Vector<dim> below = piece.centre;
@@ -57,16 +60,16 @@ void place_at_points(const StagePlan<dim>& plan, const SurfacePiece<dim>& piece,
     return dot<dim>(below, piece.area) / size;
   };
   double least = std::numeric_limits<double>::infinity(), mean = 0;
-  for (std::size_t p = block->first; p < block->first + block->count; ++p) {
+  for (const std::size_t p : slots) {
     least = std::min(least, depth(p));
-    mean += depth(p) / static_cast<double>(block->count);
+    mean += depth(p) / static_cast<double>(slots.size());
   }
   outlet.count = cell_nodes<dim>;
   outlet.centre = {};
-  std::copy_n(block->nodes, cell_nodes<dim>, outlet.node.begin());
+  std::copy_n(grid.cell_nodes_of(piece.cell), cell_nodes<dim>, outlet.node.begin());
   double sum = 0;
   Stencil<dim> s;
-  for (std::size_t p = block->first; p < block->first + block->count; ++p) {
+  for (const std::size_t p : slots) {
     if (depth(p) > 0.5 * (least + mean)) continue;
     reference_stencil<dim>(grid.local(piece.cell, points.position(p)), s);
     for (int i = 0; i < cell_nodes<dim>; ++i) outlet.weight[i] += volume[0][p] * s.value[i];
@@ -116,13 +119,13 @@ class Collector {
   void add(const SurfacePiece<dim>& piece, int index) {
     in_shade_ = dot<dim>(piece.area, up_) > 0 && in_shade(piece);
     if (plan_.problem.rain_scheme == RainScheme::bandara_2016) {
-      Outlet<dim> outlet = fresh(piece.cell, altitude_of(piece.cell));
+      Outlet<dim> outlet = fresh(piece, altitude_of(piece.cell));
       outlet.piece = index;
       place_at_points(plan_, piece, outlet);
       share(piece, 1, outlet);
       single_.push_back(outlet);
     } else if (piece.face < 0) {
-      Outlet<dim> outlet = fresh(piece.cell, altitude_of(piece.cell));
+      Outlet<dim> outlet = fresh(piece, altitude_of(piece.cell));
       outlet.piece = index;
       place_weights(plan_, piece, outlet);
       share(piece, 1, outlet);
@@ -143,24 +146,25 @@ class Collector {
  private:
   double altitude_of(std::size_t cell) const { return plan_.fields.grid.smallest_altitude(cell); }
 
-  Outlet<dim> fresh(std::size_t cell, double altitude) const {
+  Outlet<dim> fresh(const SurfacePiece<dim>& piece, double altitude) const {
     Outlet<dim> outlet;
-    outlet.cell = cell;
-    outlet.region = plan_.fields.grid.region(cell);
-    outlet.film = film_of(plan_, cell, altitude);
+    outlet.cell = piece.cell;
+    outlet.region = soil_at<dim>(plan_.fields.points, piece.cell, piece.centre);
+    outlet.film = film_of(plan_, piece.cell, outlet.region, altitude);
     return outlet;
   }
 
   void add_to_node(const SurfacePiece<dim>& piece, int node, double weight) {
     const double altitude = altitude_[static_cast<std::size_t>(node)];
-    auto [entry, is_new] = at_node_.try_emplace(node, fresh(piece.cell, altitude));
+    const Outlet<dim> by_itself = fresh(piece, altitude);
+    auto [entry, is_new] = at_node_.try_emplace(node, by_itself);
     Outlet<dim>& outlet = entry->second;
     outlet.count = 1;
     outlet.node[0] = node;
     outlet.weight[0] = 1;
     outlet.centre = plan_.fields.grid.node(node);
-    outlet.region = std::min(outlet.region, plan_.fields.grid.region(piece.cell));
-    outlet.film = std::max(outlet.film, film_of(plan_, piece.cell, altitude));
+    outlet.region = std::min(outlet.region, by_itself.region);
+    outlet.film = std::max(outlet.film, by_itself.film);
     share(piece, weight, outlet);
   }
 

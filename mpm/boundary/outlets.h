@@ -23,7 +23,7 @@ struct Outlet {
   double open = 0, hidden = 0;                   ///< horizontal areas of the parts that see the sky, face the ground
   double shaded = 0;                             ///< the same of parts that face upwards with soil above (2-D)
   std::size_t cell = 0;                          ///< the soil behind
-  int region = 0;                                ///< its soil (the lowest index where several meet)
+  int region = 0;   ///< its soil: of the point nearest to the piece (the lowest index where several meet)
   double film = 0;  ///< conductance of the surface film of that soil, 1e4 k/(mu h) [m/(s Pa)], largest k where two meet
 
   double at(const double* nodal) const {

@@ -1,6 +1,7 @@
 #include "mpm/boundary/surface.h"
 
 #include "mpm/boundary/fitted_line.h"
+#include "mpm/grid/soils_of_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,21 +56,23 @@ bool Surface<dim>::measure_cells() {
   const Column& volume = *points_.columns.find("volume");
   std::vector<char> seen(grid_.cell_count(), 0);
   bool changed = false;
-  for (const Block& block : points_.blocks()) {
+  each_cell(points_, [&](std::span<const Block* const> blocks) {
+    const std::size_t cell = blocks.front()->cell;
     double sum = 0;
     Vector<dim> moment{};
-    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-      const Vector<dim> x = points_.position(p);
-      sum += volume[0][p];
-      for (int a = 0; a < dim; ++a) moment[a] += volume[0][p] * x[a];
-    }
+    for (const Block* block : blocks)
+      for (std::size_t p = block->first; p < block->first + block->count; ++p) {
+        const Vector<dim> x = points_.position(p);
+        sum += volume[0][p];
+        for (int a = 0; a < dim; ++a) moment[a] += volume[0][p] * x[a];
+      }
     for (double& component : moment) component /= sum;
-    changed = changed || sum != volume_[block.cell] || moment != centroid_[block.cell];
-    volume_[block.cell] = sum;
-    centroid_[block.cell] = moment;
-    fill_[block.cell] = sum / cell_volume_[block.cell];
-    seen[block.cell] = 1;
-  }
+    changed = changed || sum != volume_[cell] || moment != centroid_[cell];
+    volume_[cell] = sum;
+    centroid_[cell] = moment;
+    fill_[cell] = sum / cell_volume_[cell];
+    seen[cell] = 1;
+  });
   for (std::size_t cell = 0; cell < seen.size(); ++cell) {
     if (seen[cell] != 0 || volume_[cell] == 0) continue;
     volume_[cell] = fill_[cell] = 0;
@@ -291,17 +294,19 @@ bool Surface<dim>::update() {
   pieces_.clear();
   lines_.clear();
   std::ranges::fill(line_of_, -1);
+  std::vector<std::size_t> occupied;  // each once
+  each_cell(points_, [&](std::span<const Block* const> blocks) { occupied.push_back(blocks.front()->cell); });
   if constexpr (dim == 3) {
-    for (const Block& block : points_.blocks())
-      for (int face = 0; face < cell_faces<dim>; ++face) add_face(block.cell, face);
+    for (const std::size_t cell : occupied)
+      for (int face = 0; face < cell_faces<dim>; ++face) add_face(cell, face);
   } else {
     fill_nodes();
-    for (const Block& block : points_.blocks())
-      if (fill_[block.cell] < 1 - full_within && near_surface(block.cell)) place_line(block.cell);
+    for (const std::size_t cell : occupied)
+      if (fill_[cell] < 1 - full_within && near_surface(cell)) place_line(cell);
     join_lines();
     for (const Line& line : lines_) add_line(line);
-    for (const Block& block : points_.blocks())
-      for (int face = 0; face < cell_faces<dim>; ++face) add_face_parts(block.cell, face);
+    for (const std::size_t cell : occupied)
+      for (int face = 0; face < cell_faces<dim>; ++face) add_face_parts(cell, face);
   }
   return true;
 }

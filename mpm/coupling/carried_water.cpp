@@ -155,19 +155,46 @@ void CarriedWater<dim>::after_motion(std::span<const double> answer) {
   }
 }
 
+/// Where soils meet a node's gain dW = sum_r P_r d(content_r) + what is left (pores that changed) is no even share of
+/// its pores: those of soil r take d(content_r) each, and all alike of what is left.
+template <int dim>
+void CarriedWater<dim>::find_excess() {
+  const std::size_t soils = contents_.size(), nodes = c_.pressure->size();
+  if (soils < 2) return;
+  excess_.assign(soils, std::vector<double>(nodes));
+  for (std::size_t i = 0; i < nodes; ++i) {
+    double taken = 0, room = 0;
+    int meet = 0;
+    for (std::size_t r = 0; r < soils; ++r) {
+      const double pores = (*c_.pore_volume)[static_cast<int>(r)][i];
+      if (!(pores > 0)) continue;
+      const double change =
+          contents_[r].at((*c_.pressure)[0][i]).value - contents_[r].at((*c_.pressure_before)[0][i]).value;
+      excess_[r][i] = change;
+      taken += pores * change;
+      room += pores;
+      ++meet;
+    }
+    for (std::size_t r = 0; r < soils; ++r) excess_[r][i] = meet > 1 ? excess_[r][i] - taken / room : 0.0;
+  }
+}
+
 template <int dim>
 void CarriedWater<dim>::take_increments() {
   const double *now = (*c_.pressure)[0], *before = (*c_.pressure_before)[0];
   const double *stored = (*c_.stored)[0], *stored_before = (*c_.stored_before)[0];
   map(new_mapped_, new_pores_);
+  find_excess();
   for (const Block& block : plan_.fields.points.blocks()) {
     const Soil& soil = soil_of(block);
+    const std::vector<double>* excess = excess_.empty() ? nullptr : &excess_[static_cast<std::size_t>(block.soil)];
     for (std::size_t q = block.first; q < block.first + block.count; ++q) {
       double gained = 0, risen = 0, p = 0;
       for (int i = 0; i < cell_nodes<dim>; ++i) {
         const auto node = static_cast<std::size_t>(block.nodes[i]);
         const double n = (*shape_)[i][q];
         if (new_pores_[node] > 0) gained += n * (stored[node] - stored_before[node]) / new_pores_[node];
+        if (excess != nullptr) gained += n * (*excess)[node];
         risen += n * (now[node] - before[node]);
         p += n * now[node];
       }

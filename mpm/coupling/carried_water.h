@@ -17,8 +17,9 @@ namespace wetfront::mpm {
 ///   p_i += Pi'_i - Pi_i - lambda_i (p_i - Pi_i),   Pi_i = sum_p N_i(x_p) P_p (p_p + grad p_p.(x_i - x_p)) / sum_p N_i
 ///   P_p,
 ///
-/// P_p the pores of the point, lambda_i = min(1, 2 |du_i|/h): what the points do not know belongs to where the body
-/// was. With the same lambda the p_p of unsaturated points follow their own water, p_p -> content^-1(W_p/P_p).
+/// What a node of several soils has gained is the points' by their own curves (find_excess). P_p the pores of the
+/// point, lambda_i = min(1, 2 |du_i|/h): what the points do not know belongs to where the body was. With the same
+/// lambda the p_p of unsaturated points follow their own water, p_p -> content^-1(W_p/P_p).
 template <int dim>
 class CarriedWater {
  public:
@@ -46,6 +47,7 @@ class CarriedWater {
  private:
   void map(std::vector<double>& mapped, std::vector<double>& pores);
   void take_answer(std::span<const double> answer);
+  void find_excess();
   void find_gradients();
   void follow_water();
 
@@ -56,6 +58,8 @@ class CarriedWater {
   Column *volume_, *mass_, *position_, *shape_, *gradient_, *displacement_;
   Column *water_, *carried_, *slope_;
   std::vector<double> mapped_, mapped_pores_, new_mapped_, new_pores_, displaced_, lambda_, answer_mapped_;
+  /// Per soil: what its pores at a node have taken up per volume beyond the mean of all pores there. Empty: one soil.
+  std::vector<std::vector<double>> excess_;
 };
 
 }  // namespace wetfront::mpm

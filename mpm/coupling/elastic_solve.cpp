@@ -1,4 +1,5 @@
 #include "mpm/coupling/elastic_solve.h"
+#include "mpm/grid/soils_of_cells.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -28,41 +29,49 @@ struct ElasticSolve<dim>::Implementation {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors;
   bool ready = false;
 
-  CellMatrix stiffness(const Block& block) const;
+  CellMatrix stiffness(std::span<const Block* const> blocks) const;
   void number();
   bool factorise();
 };
 
 template <int dim>
 typename ElasticSolve<dim>::Implementation::CellMatrix ElasticSolve<dim>::Implementation::stiffness(
-    const Block& block) const {
+    std::span<const Block* const> blocks) const {
   const auto& grid = plan.fields.grid;
-  const Elastic& elastic = *plan.problem.soils[static_cast<std::size_t>(block.soil)].elastic;
-  const double shear = elastic.young / (2 * (1 + elastic.poisson)), bulk = elastic.young / (3 - 6 * elastic.poisson);
   const Column& volume = *plan.fields.points.columns.find("volume");
   CellMatrix k = CellMatrix::Zero();
   Eigen::Matrix<double, dofs, 1> mean = Eigen::Matrix<double, dofs, 1>::Zero();
   const bool averaged = plan.problem.skeleton.locking == LockingRemedy::b_bar;
-  double whole = 0;
+  double whole = 0, mean_bulk = 0;
+  std::size_t count = 0;
   Stencil<dim> s;
-  for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-    grid.stencil(block.cell, grid.local(block.cell, plan.fields.points.position(p)), s);
-    const double v = volume[0][p];
-    whole += v;
-    for (int i = 0; i < n; ++i)
-      for (int a = 0; a < dim; ++a) mean[i * dim + a] += v * s.gradient[i][a];
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        for (int a = 0; a < dim; ++a)
-          for (int b = 0; b < dim; ++b) {
-            double entry = s.gradient[i][b] * s.gradient[j][a] - 2.0 / 3 * s.gradient[i][a] * s.gradient[j][b];
-            if (a == b) entry += dot<dim>(s.gradient[i], s.gradient[j]);
-            if (!averaged) entry += bulk / shear * s.gradient[i][a] * s.gradient[j][b];
-            k(i * dim + a, j * dim + b) += v * shear * entry;
-          }
+  for (const Block* block : blocks) {
+    const Elastic& elastic = *plan.problem.soils[static_cast<std::size_t>(block->soil)].elastic;
+    const double shear = elastic.young / (2 * (1 + elastic.poisson)), bulk = elastic.young / (3 - 6 * elastic.poisson);
+    double own = 0;
+    for (std::size_t p = block->first; p < block->first + block->count; ++p) {
+      grid.stencil(block->cell, grid.local(block->cell, plan.fields.points.position(p)), s);
+      const double v = volume[0][p];
+      own += v;
+      for (int i = 0; i < n; ++i)
+        for (int a = 0; a < dim; ++a) mean[i * dim + a] += v * s.gradient[i][a];
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          for (int a = 0; a < dim; ++a)
+            for (int b = 0; b < dim; ++b) {
+              double entry = s.gradient[i][b] * s.gradient[j][a] - 2.0 / 3 * s.gradient[i][a] * s.gradient[j][b];
+              if (a == b) entry += dot<dim>(s.gradient[i], s.gradient[j]);
+              if (!averaged) entry += bulk / shear * s.gradient[i][a] * s.gradient[j][b];
+              k(i * dim + a, j * dim + b) += v * shear * entry;
+            }
+    }
+    whole += own;
+    mean_bulk += (bulk - mean_bulk) * (own / whole);
+    count += block->count;
   }
-  if (block.count == 1) k.diagonal().array() += hourglass * k.trace() / dofs;
-  if (averaged) k += bulk / whole * mean * mean.transpose();
+  if (count == 1) k.diagonal().array() += hourglass * k.trace() / dofs;
+  // The soils of a cell share its mean strain.
+  if (averaged) k += mean_bulk / whole * mean * mean.transpose();
   return k;
 }
 
@@ -81,16 +90,17 @@ bool ElasticSolve<dim>::Implementation::factorise() {
   number();
   std::vector<Eigen::Triplet<double>> entries;
   double trace = 0;
-  for (const Block& block : plan.fields.points.blocks()) {
-    const CellMatrix k = stiffness(block);
+  each_cell(plan.fields.points, [&](std::span<const Block* const> blocks) {
+    const CellMatrix k = stiffness(blocks);
+    const int* nodes = blocks.front()->nodes;
     for (int i = 0; i < dofs; ++i)
       for (int j = 0; j < dofs; ++j) {
-        const int row = unknown[static_cast<std::size_t>(block.nodes[i / dim] * dim + i % dim)];
-        const int column = unknown[static_cast<std::size_t>(block.nodes[j / dim] * dim + j % dim)];
+        const int row = unknown[static_cast<std::size_t>(nodes[i / dim] * dim + i % dim)];
+        const int column = unknown[static_cast<std::size_t>(nodes[j / dim] * dim + j % dim)];
         if (row >= 0 && column >= 0) entries.emplace_back(row, column, k(i, j));
         if (row >= 0 && i == j) trace += k(i, j);
       }
-  }
+  });
   const double least = softest * trace / std::max(1, unknowns);
   for (int d = 0; d < unknowns; ++d) entries.emplace_back(d, d, least);
   Eigen::SparseMatrix<double> matrix(unknowns, unknowns);

@@ -1,6 +1,7 @@
 #include "mpm/coupling/fixed_stress.h"
 
 #include "mpm/coupling/water_pull.h"
+#include "mpm/grid/soils_of_cells.h"
 #include "mpm/laws/linear_elastic.h"
 #include "mpm/skeleton/rigid_skeleton.h"
 
@@ -69,43 +70,61 @@ void FixedStress<dim>::add_offsets() const {
   for (std::size_t i = 0; i < stabilisation_->size(); ++i) stored[i] += z[i] + mixed[i];
 }
 
+/// Sums over the points of a block, also to the nodes; `slope` takes V grad N_j of each, `share` V N_i.
+template <int dim>
+typename FixedStress<dim>::Cell FixedStress<dim>::measure(const Block& block,
+                                                          std::array<Vector<dim>, cell_nodes<dim>>& slope) const {
+  const Column &volume = *this->volume_, &value = *this->value_, &gradient = *this->gradient_;
+  constexpr int n = cell_nodes<dim>;
+  Cell cell;
+  cell.cell = block.cell;
+  cell.nodes = block.nodes;
+  cell.region = block.soil;
+  const Soil& soil = carried_->soil_of(block);
+  cell.stiffness = LinearElastic(*soil.elastic).constrained_modulus();
+  for (std::size_t q = block.first; q < block.first + block.count; ++q) {
+    const double v = volume[0][q], grains = v - carried_->pores(q, soil);
+    cell.volume += v;
+    for (int i = 0; i < n; ++i) {
+      const double part = value[i][q];
+      cell.share[i] += v * part;
+      (*c_.pore_volume)[cell.region][block.nodes[i]] += part * (v - grains);
+      (*pores_before_)[cell.region][block.nodes[i]] += part * ((*volume_before_)[0][q] - grains);
+      (*compliance_)[cell.region][block.nodes[i]] += part * v / cell.stiffness;
+      for (int a = 0; a < dim; ++a) slope[i][a] += v * gradient[i * dim + a][q];
+      for (int j = 0; j < n; ++j)
+        for (int a = 0; a < dim; ++a) cell.strain[i][j][a] += part * v * gradient[j * dim + a][q];
+    }
+  }
+  return cell;
+}
+
 template <int dim>
 void FixedStress<dim>::measure_cells() {
-  const auto& points = plan_->fields.points;
-  const Column &volume = *this->volume_, &value = *this->value_, &gradient = *this->gradient_;
   const bool averaged = plan_->problem.skeleton.locking == LockingRemedy::b_bar;
   constexpr int n = cell_nodes<dim>;
   cells_.clear();
   for (Column* column : {c_.pore_volume, pores_before_, compliance_}) column->fill(0);
-  for (const Block& block : points.blocks()) {
-    Cell cell;
-    cell.cell = block.cell;
-    cell.nodes = block.nodes;
-    cell.region = block.soil;
-    const Soil& soil = carried_->soil_of(block);
-    cell.stiffness = LinearElastic(*soil.elastic).constrained_modulus();
-    std::array<Vector<dim>, n> mean{};
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      const double v = volume[0][q], grains = v - carried_->pores(q, soil);
-      cell.volume += v;
+  each_cell(plan_->fields.points, [&](std::span<const Block* const> blocks) {
+    std::array<Vector<dim>, n> slope{};
+    std::array<double, n> share{};
+    double whole = 0;
+    const std::size_t first = cells_.size();
+    for (const Block* block : blocks) cells_.push_back(measure(*block, slope));
+    const std::span<Cell> here(cells_.begin() + static_cast<std::ptrdiff_t>(first), cells_.end());
+    for (const Cell& cell : here) {
+      whole += cell.volume;
+      for (int i = 0; i < n; ++i) share[i] += cell.share[i];
+    }
+    for (Cell& cell : here) {
       for (int i = 0; i < n; ++i) {
-        const double part = value[i][q];
-        cell.share[i] += v * part;
-        (*c_.pore_volume)[cell.region][block.nodes[i]] += part * (v - grains);
-        (*pores_before_)[cell.region][block.nodes[i]] += part * ((*volume_before_)[0][q] - grains);
-        (*compliance_)[cell.region][block.nodes[i]] += part * v / cell.stiffness;
-        for (int a = 0; a < dim; ++a) mean[i][a] += v * gradient[i * dim + a][q];
-        for (int j = 0; j < n; ++j)
-          for (int a = 0; a < dim; ++a) cell.strain[i][j][a] += part * v * gradient[j * dim + a][q];
+        const double own = cell.share[i] / whole;
+        cell.share[i] = share[i] / whole;
+        for (int j = 0; j < n && averaged; ++j)
+          for (int a = 0; a < dim; ++a) cell.strain[i][j][a] = own * slope[j][a];
       }
     }
-    for (int i = 0; i < n; ++i) cell.share[i] /= cell.volume;
-    if (averaged)
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          for (int a = 0; a < dim; ++a) cell.strain[i][j][a] = cell.share[i] * mean[j][a];
-    cells_.push_back(cell);
-  }
+  });
 }
 
 template <int dim>

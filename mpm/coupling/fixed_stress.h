@@ -30,10 +30,10 @@ class FixedStress : public SkeletonOfFlow<dim> {
   bool in_true_time() const override { return false; }
 
  private:
-  /// Integrals over a cell's points, kept while they move.
+  /// Integrals over the points of one soil in a cell, kept while they move.
   struct Cell {
     double volume = 0, stiffness = 0;
-    std::array<double, cell_nodes<dim>> share{};  ///< integral of N_i over volume, sum 1
+    std::array<double, cell_nodes<dim>> share{};  ///< mean of N_i over the points of all soils in the cell, sum 1
     std::array<std::array<Vector<dim>, cell_nodes<dim>>, cell_nodes<dim>> strain{};  ///< sum_p N_i V_p grad N_j
     std::size_t cell = 0;
     int region = 0;
@@ -43,6 +43,7 @@ class FixedStress : public SkeletonOfFlow<dim> {
   void find_foreseen();
   void join_own() override;
   void measure_cells() override;
+  Cell measure(const Block& block, std::array<Vector<dim>, cell_nodes<dim>>& slope) const;
   void rebase();
   void find_stabilisation();
   double pressure_scale() const;

@@ -2,6 +2,7 @@
 
 #include "mpm/grid/cell_integrals.h"
 #include "mpm/grid/column_vector.h"
+#include "mpm/grid/soils_of_cells.h"
 #include "mpm/laws/linear_elastic.h"
 #include "mpm/record/brought_by_water.h"
 
@@ -27,6 +28,8 @@ constexpr double cycle_with_inertia = 0.75;
 constexpr double small_answer = 10;  // Pa
 /// Nodes this close to zero pressure answer like full ones.
 constexpr double nearly_full = 100;  // Pa
+/// Of Newton's method at a node of several soils: halving alone tells a pressure to round-off in 60.
+constexpr int most_iterations = 60;
 
 }  // namespace
 
@@ -83,21 +86,26 @@ void TrueTimeMotion<dim>::join_own() {
 template <int dim>
 void TrueTimeMotion<dim>::measure_cells() {
   c_.pore_volume->fill(0);
-  for (const Block& block : plan_->fields.points.blocks()) {
-    const Soil& soil = carried_->soil_of(block);
-    Cell& cell = cells_[block.cell];
+  // Of cells that points enter before this is measured again; not what a left cell had: a run cut here knows nothing of
+  // that.
+  for (Cell& cell : cells_) cell.share.fill(1.0 / cell_nodes<dim>);
+  each_cell(plan_->fields.points, [this](std::span<const Block* const> blocks) {
+    Cell& cell = cells_[blocks.front()->cell];
     cell.share.fill(0);
     double whole = 0;
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      const double v = (*volume_)[0][q], held = carried_->pores(q, soil);
-      whole += v;
-      for (int i = 0; i < cell_nodes<dim>; ++i) {
-        cell.share[i] += v * (*value_)[i][q];
-        (*c_.pore_volume)[block.soil][block.nodes[i]] += held * (*value_)[i][q];
+    for (const Block* block : blocks) {
+      const Soil& soil = carried_->soil_of(*block);
+      for (std::size_t q = block->first; q < block->first + block->count; ++q) {
+        const double v = (*volume_)[0][q], held = carried_->pores(q, soil);
+        whole += v;
+        for (int i = 0; i < cell_nodes<dim>; ++i) {
+          cell.share[i] += v * (*value_)[i][q];
+          (*c_.pore_volume)[block->soil][block->nodes[i]] += held * (*value_)[i][q];
+        }
       }
     }
     for (double& share : cell.share) share /= whole;
-  }
+  });
 }
 
 template <int dim>
@@ -136,25 +144,32 @@ void TrueTimeMotion<dim>::weigh_points() {
 }
 
 /// h/c over the cells, c^2 = (E_oed + what the water adds)/density: full pores add (K_l/n), others what their curve
-/// lets them. [s]
+/// lets them. Soils of a cell are strained alike, so their stiffnesses act side by side. [s]
 template <int dim>
 double TrueTimeMotion<dim>::stable_cycle() const {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const Block& block : plan_->fields.points.blocks()) {
-    const SoilContent& content = carried_->content_of(block);
-    const Soil& soil = carried_->soil_of(block);
-    double volume = 0, pores = 0, mass = 0, most = -std::numeric_limits<double>::infinity();
-    for (std::size_t q = block.first; q < block.first + block.count; ++q) {
-      volume += (*volume_)[0][q];
-      pores += carried_->pores(q, soil);
-      mass += (*mass_)[0][q];
+  each_cell(plan_->fields.points, [&](std::span<const Block* const> blocks) {
+    const Block& any = *blocks.front();
+    double most = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i < cell_nodes<dim>; ++i) most = std::max(most, (*c_.pressure)[0][any.nodes[i]]);
+    double whole = 0, weight = 0, modulus = 0, room = 0;
+    for (const Block* block : blocks) {
+      const SoilContent& content = carried_->content_of(*block);
+      const Soil& soil = carried_->soil_of(*block);
+      double volume = 0, pores = 0, mass = 0;
+      for (std::size_t q = block->first; q < block->first + block->count; ++q) {
+        volume += (*volume_)[0][q];
+        pores += carried_->pores(q, soil);
+        mass += (*mass_)[0][q];
+      }
+      whole += volume;
+      weight += mass;
+      modulus += (LinearElastic(*soil.elastic).constrained_modulus() - modulus) * (volume / whole);  // mean by volume
+      room += pores * std::max(content.at(most + nearly_full).slope, content.at(1.0).slope);
     }
-    for (int i = 0; i < cell_nodes<dim>; ++i) most = std::max(most, (*c_.pressure)[0][block.nodes[i]]);
-    const double slope = std::max(content.at(most + nearly_full).slope, content.at(1.0).slope);
-    const double stiffness = LinearElastic(*soil.elastic).constrained_modulus() + volume / (pores * slope);
-    const double h = plan_->fields.grid.smallest_altitude(block.cell);
-    shortest = std::min(shortest, h * std::sqrt(mass / (volume * stiffness)));
-  }
+    const double h = plan_->fields.grid.smallest_altitude(any.cell);
+    shortest = std::min(shortest, h * std::sqrt(weight / (whole * (modulus + whole / room))));
+  });
   return std::min(shortest, cycle_->stable_step());
 }
 
@@ -163,8 +178,16 @@ double TrueTimeMotion<dim>::longest_cycle() const {
   return plan_->stage.step_safety * stable_cycle();
 }
 
+/// Pores around a node as they are on the way, of all soils [m^dim].
+template <int dim>
+double TrueTimeMotion<dim>::room_of(std::size_t node) const {
+  double room = 0;
+  for (const std::vector<double>& of_soil : pores_) room += of_soil[node];
+  return room;
+}
+
 /// f_i += V chi p grad N_i with the mean gradient of the cell and its mean pore stress, the adjoint of the volume that
-/// answer() sees.
+/// answer() sees. A soil takes its share V of the cell and its own chi.
 template <int dim>
 void TrueTimeMotion<dim>::add_pore_force() {
   const auto blocks = plan_->fields.points.blocks();
@@ -172,13 +195,12 @@ void TrueTimeMotion<dim>::add_pore_force() {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
     const Cell& cell = cells_[block.cell];
-    const std::vector<double>& pores = pores_[static_cast<std::size_t>(block.soil)];
     const SoilContent& content = carried_->content_of(block);
     const double volume = volume_of(block);
     double push = 0, known = 0;
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       const auto node = static_cast<std::size_t>(block.nodes[i]);
-      if (!(pores[node] > 0)) continue;  // reached since the flow was last solved
+      if (!(room_of(node) > 0)) continue;  // reached since the flow was last solved
       known += cell.share[i];
       push += cell.share[i] * content.pore_stress((*c_.pressure)[0][node]).value;
     }
@@ -193,20 +215,50 @@ void TrueTimeMotion<dim>::add_pore_force() {
 template <int dim>
 double TrueTimeMotion<dim>::answered(std::size_t node) const {
   const double p = (*c_.pressure)[0][node];
-  double now = 0, room = 0, grown = 0;
+  double now = 0, room = 0, grown = 0, most = 0;
+  int soils = 0;
   const SoilContent* content = nullptr;
   for (std::size_t r = 0; r < contents_->size(); ++r) {
     const double pores = pores_[r][node];
-    if (!(pores > 0)) continue;
-    if (content == nullptr || pores > room) content = &(*contents_)[r];
+    if (pores == 0 && grown_[r][node] == 0) continue;
+    ++soils;
+    if (content == nullptr || pores > most) content = &(*contents_)[r], most = pores;
     now += pores * (*contents_)[r].at(p).value;
     room += pores;
     grown += grown_[r][node];
   }
-  if (content == nullptr || grown == 0) return p;
+  if (!(room > 0) || grown == 0) return p;
   // As a difference, so that what the table's inverse is off does not add up.
   const double held = now / room;
-  return p + content->pressure_at(held * room / (room + grown)) - content->pressure_at(held);
+  const double by_one = p + content->pressure_at(held * room / (room + grown)) - content->pressure_at(held);
+  return soils == 1 ? by_one : answered_by_several(node, by_one);
+}
+
+/// The same where soils meet: sum_r P_r content_r(p_i) = sum_r P_r' content_r(p_i'), by Newton's method between bounds.
+template <int dim>
+double TrueTimeMotion<dim>::answered_by_several(std::size_t node, double guess) const {
+  double held = 0, low = (*c_.pressure)[0][node], high = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < contents_->size(); ++r) held += pores_[r][node] * (*contents_)[r].at(low).value;
+  for (const SoilContent& content : *contents_) low = std::min(low, content.pressure_at(0));  // the driest it can tell
+  double p = std::max(guess, low);
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    double excess = -held, slope = 0, room = 0;
+    for (std::size_t r = 0; r < contents_->size(); ++r) {
+      const double pores = pores_[r][node] + grown_[r][node];
+      const ValueAndSlope now = (*contents_)[r].at(p);
+      excess += pores * now.value;
+      slope += pores * now.slope;
+      room += pores;
+    }
+    if (std::abs(excess) <= std::numeric_limits<double>::epsilon() * room) break;
+    (excess > 0 ? high : low) = p;
+    double next = p - excess / slope;
+    if (!(next >= low && next <= high)) next = std::isinf(high) ? p + std::abs(p) + 1 : 0.5 * (low + high);
+    const double change = next - p;
+    p = next;
+    if (std::abs(change) <= 1e-12 * std::abs(p)) break;  // round-off
+  }
+  return p;
 }
 
 /// What the pores of the nodes have grown by since the blocks' volumes were taken.
@@ -227,11 +279,10 @@ void TrueTimeMotion<dim>::answer() {
   add_growth();
   double* p = (*c_.pressure)[0];
   for (std::size_t i = 0; i < c_.pressure->size(); ++i) p[i] = answered(i);
-  for (std::size_t r = 0; r < pores_.size(); ++r) {
-    for (std::size_t i = 0; i < pores_[r].size(); ++i)
-      if (pores_[r][i] > 0) pores_[r][i] += grown_[r][i];
-    std::ranges::fill(grown_[r], 0.0);
-  }
+  for (std::size_t i = 0; i < c_.pressure->size(); ++i)
+    if (room_of(i) > 0)
+      for (std::size_t r = 0; r < pores_.size(); ++r) pores_[r][i] += grown_[r][i];
+  for (std::vector<double>& of_soil : grown_) std::ranges::fill(of_soil, 0.0);
 }
 
 template <int dim>

@@ -23,15 +23,16 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
   bool in_true_time() const override { return true; }
 
  private:
-  /// Of a cell, while its points move through it.
+  /// Of a cell, while its points move through it; of all its soils together (README.md section 1b).
   struct Cell {
-    std::array<double, cell_nodes<dim>> share{};       ///< integral of N_i over the soil in it / its volume
+    std::array<double, cell_nodes<dim>> share{};       ///< integral of N_i over the soils in it / their volume
     std::array<Vector<dim>, cell_nodes<dim>> slope{};  ///< mean of grad N_i over the cell [1/m]
   };
   class PoreForce;
   void join_own() override;
   void measure_cells() override;
   double volume_of(const Block& block) const;
+  double room_of(std::size_t node) const;
   void add_pore_force();
   void move_undrained();
   void pay_reaction();
@@ -39,6 +40,7 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
   void add_growth();
   void answer();
   double answered(std::size_t node) const;
+  double answered_by_several(std::size_t node, double guess) const;
   void weigh_points();
   double stable_cycle() const;
   double longest_cycle() const;

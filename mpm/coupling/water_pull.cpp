@@ -2,6 +2,7 @@
 
 #include "mpm/grid/cell_moments.h"
 #include "mpm/grid/column_vector.h"
+#include "mpm/grid/soils_of_cells.h"
 
 namespace wetfront::mpm {
 
@@ -11,26 +12,30 @@ void WaterPull<dim>::add_force() {
   const bool averaged = plan_.problem.skeleton.locking == LockingRemedy::b_bar;
   Vector<dim> weight = plan_.problem.gravity;
   for (double& component : weight) component *= plan_.problem.water->density;
-  for (const Block& block : plan_.fields.points.blocks()) {
+  each_cell(plan_.fields.points, [&](std::span<const Block* const> blocks) {
     // V chi p of each point by its own gradient, or the cell's mean of chi p by V and all its gradients.
-    push_.clear();
     double whole = 0, push = 0;
-    for (std::size_t p = block.first; p < block.first + block.count; ++p) {
-      const double v = volume_[0][p], pushed = v * pore_stress_[0][p];
-      whole += v;
-      push += pushed;
-      push_.push_back(averaged ? v : pushed);
+    CellPull pull;
+    for (const Block* block : blocks) {
+      push_.clear();
+      for (std::size_t p = block->first; p < block->first + block->count; ++p) {
+        const double v = volume_[0][p], pushed = v * pore_stress_[0][p];
+        whole += v;
+        push += pushed;
+        push_.push_back(averaged ? v : pushed);
+      }
+      grid.affine(block->cell) ? add_affine(*block, pull) : add_any(*block, pull);
     }
     const double scale = averaged ? push / whole : 1;
-    const CellPull pull = grid.affine(block.cell) ? in_affine(block) : in_any(block);
+    const int* nodes = blocks.front()->nodes;
     for (int i = 0; i < cell_nodes<dim>; ++i)
-      for (int a = 0; a < dim; ++a) force_[a][block.nodes[i]] += scale * pull.push[i][a] + pull.water[i] * weight[a];
-  }
+      for (int a = 0; a < dim; ++a) force_[a][nodes[i]] += scale * pull.push[i][a] + pull.water[i] * weight[a];
+  });
 }
 
 /// The gradients of an affine cell follow from those by local coordinates by one matrix for all points.
 template <int dim>
-typename WaterPull<dim>::CellPull WaterPull<dim>::in_affine(const Block& block) const {
+void WaterPull<dim>::add_affine(const Block& block, CellPull& pull) const {
   const auto& map = plan_.fields.grid.map(block.cell);
   CellMoments<dim> water, pushed;
   for (std::size_t k = 0; k < block.count; ++k) {
@@ -38,20 +43,17 @@ typename WaterPull<dim>::CellPull WaterPull<dim>::in_affine(const Block& block) 
     water.add(xi, water_[0][block.first + k]);
     pushed.add(xi, push_[k]);
   }
-  CellPull pull;
   for (int i = 0; i < cell_nodes<dim>; ++i) {
-    pull.water[i] = water.value(i);
+    pull.water[i] += water.value(i);
     const Vector<dim> slope = pushed.slope(i);
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b) pull.push[i][a] += map.inverse[b][a] * slope[b];
   }
-  return pull;
 }
 
 template <int dim>
-typename WaterPull<dim>::CellPull WaterPull<dim>::in_any(const Block& block) const {
+void WaterPull<dim>::add_any(const Block& block, CellPull& pull) const {
   const auto& grid = plan_.fields.grid;
-  CellPull pull;
   Stencil<dim> s;
   for (std::size_t k = 0; k < block.count; ++k) {
     grid.stencil(block.cell, grid.local(block.cell, at<dim>(position_, block.first + k)), s);
@@ -60,7 +62,6 @@ typename WaterPull<dim>::CellPull WaterPull<dim>::in_any(const Block& block) con
       for (int a = 0; a < dim; ++a) pull.push[i][a] += push_[k] * s.gradient[i][a];
     }
   }
-  return pull;
 }
 
 template class WaterPull<2>;

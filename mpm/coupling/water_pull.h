@@ -8,8 +8,9 @@ namespace wetfront::mpm {
 ///
 ///   f_i += sum_p V_p (chi p)_p grad N_i + rho_l g sum_p W_p N_i,
 ///
-/// the first with the mean gradient of the cell under LockingRemedy::b_bar (the adjoint of the volumetric strain).
-/// Points carry "pore stress" chi p [Pa] and their "water" W [m^dim].
+/// the first with the mean gradient of the cell under LockingRemedy::b_bar (the adjoint of the volumetric strain),
+/// which is that of all points in it, whatever their soil. Points carry "pore stress" chi p [Pa] and their "water" W
+/// [m^dim].
 template <int dim>
 class WaterPull : public NodalCondition<dim> {
  public:
@@ -28,13 +29,13 @@ class WaterPull : public NodalCondition<dim> {
     std::array<Vector<dim>, cell_nodes<dim>> push{};  ///< of push_ grad N_i
     std::array<double, cell_nodes<dim>> water{};      ///< of W N_i [m^dim]
   };
-  CellPull in_affine(const Block& block) const;
-  CellPull in_any(const Block& block) const;
+  void add_affine(const Block& block, CellPull& pull) const;
+  void add_any(const Block& block, CellPull& pull) const;
 
   StagePlan<dim>& plan_;
   Column& force_;
   const Column &volume_, &pore_stress_, &water_, &position_;
-  std::vector<double> push_;  ///< of the points of the cell at hand
+  std::vector<double> push_;  ///< of the points of the block at hand
 };
 
 }  // namespace wetfront::mpm

@@ -64,11 +64,13 @@ bool Migration<dim>::find_cell(Mover& mover) {
     throw StepFailed("a material point of cell " + std::to_string(mover.from) + " has moved to " + place(x) +
                      ": the motion of the skeleton has blown up");
   mover.to = cell >= 0 ? static_cast<std::size_t>(cell) : hold(mover.from, slot, x);
-  if (plan_.stage.liquid && grid.region(mover.to) != mover.soil)
+  const bool two_velocities =
+      plan_.stage.liquid == LiquidScheme::implicit_drag || plan_.stage.liquid == LiquidScheme::explicit_drag;
+  if (two_velocities && grid.region(mover.to) != mover.soil)
     throw StepFailed("a material point of soil '" + plan_.problem.soils[static_cast<std::size_t>(mover.soil)].name +
                      "' has moved into the cells of another at " + place(x) +
-                     " (in a stage with liquid the laws of water belong to cells). End the stage before, or give both "
-                     "one soil");
+                     " (with two velocities the laws of water belong to cells). Use the scheme seepage, end the "
+                     "stage before, or give both one soil");
   return mover.to != mover.from;
 }
 

@@ -9,8 +9,8 @@ namespace wetfront::mpm {
 ///
 /// A point that would leave the mesh is held at its border: put back onto the face it went through, without the part
 /// of its velocity that points outwards. It is counted, and the count is told in the history: "points held at the mesh
-/// border" (each time anew). A point may enter cells of another soil and keeps its own, in stages without liquid; with
-/// liquid, whose laws belong to cells, that stops the run.
+/// border" (each time anew). A point may enter cells of another soil and keeps its own. With two velocities, whose laws
+/// of water belong to cells, that stops the run.
 template <int dim>
 class Migration {
  public:
@@ -19,7 +19,7 @@ class Migration {
   /// One list for each of the chunks that note at the same time; their order is that of the points.
   void prepare(std::size_t chunks);
   std::vector<Mover>& leaving(std::size_t chunk) { return leaving_[chunk]; }
-  /// Throws StepFailed when a point is nowhere (not a number) or has entered cells of another soil.
+  /// Throws StepFailed when a point is nowhere (not a number) or, with two velocities, in cells of another soil.
   void run();
 
  private:

@@ -1,5 +1,6 @@
 #include "mpm/record/probes.h"
 
+#include "mpm/grid/soils_of_cells.h"
 #include "mpm/laws/soil_water.h"
 
 #include <algorithm>
@@ -10,9 +11,9 @@ namespace {
 
 template <int dim>
 struct Place {
-  const int* nodes;
-  Stencil<dim> stencil;
-  std::function<double(double)> saturation;
+  Vector<dim> x{};
+  std::size_t cell = 0;
+  Stencil<dim> stencil{};
 };
 
 template <int dim>
@@ -25,10 +26,8 @@ Place<dim> place_of(const StagePlan<dim>& plan, const Probe& probe) {
     throw CannotPlan(probe.origin + ": probe '" + probe.name +
                      "' lies outside the soil (no cell with material points holds it). Move it inside");
   const auto cell = static_cast<std::size_t>(found);
-  Place<dim> place{grid.cell_nodes_of(cell), {}, {}};
+  Place<dim> place{x, cell, {}};
   grid.stencil(cell, grid.local(cell, x), place.stencil);
-  place.saturation =
-      saturation_of(plan.problem.soils[static_cast<std::size_t>(grid.region(cell))], *plan.problem.water);
   return place;
 }
 
@@ -39,15 +38,22 @@ void Probes<dim>::join(StagePlan<dim>& plan) {
   const Column& pressure = plan.require_on_nodes("pressure");
   std::vector<Place<dim>> places;
   for (const Probe& probe : plan.problem.probes) places.push_back(place_of(plan, probe));
-  plan.at_record([&plan, &pressure, places](double time, meshes::FieldHistory& history) {
+  std::vector<std::function<double(double)>> saturation;
+  for (const Soil& soil : plan.problem.soils) saturation.push_back(saturation_of(soil, *plan.problem.water));
+  plan.at_record([&plan, &pressure, places, saturation](double time, meshes::FieldHistory& history) {
     if (history.gauges.empty())
       for (const Probe& probe : plan.problem.probes) history.gauges.push_back({probe.name, probe.position, {}, {}, {}});
     for (std::size_t k = 0; k < places.size(); ++k) {
+      const Place<dim>& place = places[k];
+      const int* nodes = plan.fields.grid.cell_nodes_of(place.cell);
       double p = 0;
-      for (int i = 0; i < cell_nodes<dim>; ++i) p += places[k].stencil.value[i] * pressure[0][places[k].nodes[i]];
+      for (int i = 0; i < cell_nodes<dim>; ++i) p += place.stencil.value[i] * pressure[0][nodes[i]];
+      // The soil that is at the gauge now; where all has gone, what was put there.
+      const int here = soil_at<dim>(plan.fields.points, place.cell, place.x);
+      const auto soil = static_cast<std::size_t>(here >= 0 ? here : plan.fields.grid.region(place.cell));
       history.gauges[k].time.push_back(time);
       history.gauges[k].pressure.push_back(p);
-      history.gauges[k].saturation.push_back(places[k].saturation(p));
+      history.gauges[k].saturation.push_back(saturation[soil](p));
     }
   });
 }

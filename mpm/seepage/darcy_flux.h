@@ -15,7 +15,7 @@ struct DarcyFlux {
 
   NodalWater<dim>& water;
   const std::vector<int>& slots;        ///< matrix entries of every cell
-  const std::vector<double>& mobility;  ///< k/mu of every cell [m2/(Pa s)]
+  const std::vector<double>& mobility;  ///< k/mu of the blocks' soil in every cell [m2/(Pa s)]
   const std::vector<double>& reach;     ///< half the box of every point, in local coordinates
   const Column &volume, &value, &gradient;
   TabulatedPermeability law;

@@ -91,13 +91,13 @@ template <int dim>
 void Seepage<dim>::measure_cells(const StagePlan<dim>& plan) {
   const Problem<dim>& problem = plan.problem;
   const Column& volume = *plan.fields.points.columns.find("volume");
-  mobility_.assign(plan.fields.grid.cell_count(), 0.0);
+  for (auto& of_cells : mobility_) of_cells.assign(plan.fields.grid.cell_count(), 0.0);
   reach_.assign(plan.fields.points.slots(), 0.0);
   Stencil<dim> centre;
   for (const Block& block : plan.fields.points.blocks()) {
-    const Soil& soil = problem.soils[static_cast<std::size_t>(plan.fields.grid.region(block.cell))];
+    const auto soil = static_cast<std::size_t>(block.soil);
     const double factor = problem.conductivity_factor.empty() ? 1 : problem.conductivity_factor[block.cell];
-    mobility_[block.cell] = factor * soil.intrinsic_permeability / problem.water->viscosity;
+    mobility_[soil][block.cell] = factor * problem.soils[soil].intrinsic_permeability / problem.water->viscosity;
     const double cell = cell_nodes<dim> * plan.fields.grid.stencil(block.cell, Vector<dim>{}, centre);
     for (std::size_t q = block.first; q < block.first + block.count; ++q)
       reach_[q] = std::min(1.0, std::pow(volume[0][q] / cell, 1.0 / dim));
@@ -114,6 +114,7 @@ void Seepage<dim>::join(StagePlan<dim>& plan) {
     scale = std::min(scale, laws.curve.pressure_scale());
     contents_.push_back(soils_.back().content);
   }
+  mobility_.resize(soils_.size());
   if (skeleton_ != nullptr)
     skeleton_->join(plan, *water_, columns_, contents_, [this, &plan](bool changed) { follow_points(plan, changed); });
   add_storage(plan);

@@ -10,7 +10,8 @@ namespace wetfront::mpm {
 /// Pore liquid in a rigid skeleton: the mixed form of Richards' equation, implicit, on the grid.
 ///
 ///   sum_p V_p N_i n d(S(p_i) c(p_i))/dt = sum_p V_p grad N_i . q_p + boundary,
-///   q_p = -(k k_rel/mu) T (grad p - rho g);   S c: SoilContent, k_rel: CellPermeability.
+///   q_p = -(k k_rel/mu) T (grad p - rho g);   S c: SoilContent, k_rel: CellPermeability; all laws are those of the
+///   point's own soil, whatever cell it is in.
 ///
 /// The scheme semi-implicit keeps the liquid's inertia in q_p (LiquidInertia), its flux lives on the points.
 /// p stays on the nodes between steps; points carry interpolated values for figures and for the next stage.
@@ -52,11 +53,11 @@ class Seepage : public Effect<dim> {
   std::shared_ptr<NodalWater<dim>> water_;
   SeepageColumns columns_;
   std::unique_ptr<SkeletonOfFlow<dim>> skeleton_;
-  std::vector<SoilLaws> soils_;  ///< of every region
+  std::vector<SoilLaws> soils_;  ///< of every soil
   std::vector<SoilContent> contents_;
-  std::vector<int> slots_;        ///< matrix entries of every cell, cell_nodes^2 each
-  std::vector<double> mobility_;  ///< k/mu of every cell [m2/(Pa s)]
-  std::vector<double> reach_;     ///< half the box of every point, in local coordinates
+  std::vector<int> slots_;                     ///< matrix entries of every cell, cell_nodes^2 each
+  std::vector<std::vector<double>> mobility_;  ///< k/mu of every soil, in every cell [m2/(Pa s)]
+  std::vector<double> reach_;                  ///< half the box of every point, in local coordinates
   std::unique_ptr<SeepageStep<dim>> step_;
 };
 

@@ -1,6 +1,7 @@
 #include "mpm/seepage/seepage.h"
 
 #include "mpm/grid/cell_values.h"
+#include "mpm/grid/soils_of_cells.h"
 #include "mpm/record/water_ledger.h"
 
 #include <algorithm>
@@ -88,9 +89,11 @@ void Seepage<dim>::add_output(StagePlan<dim>& plan) {
     const double* p = (*columns_.pressure)[0];
     out.node_pressure.assign(p, p + grid.node_count());
     out.node_saturation.assign(grid.node_count(), std::numeric_limits<double>::quiet_NaN());
-    out.cell_pressure = cell_values<dim>(grid, p, [&plan](std::size_t c) { return plan.fields.points.occupied(c); });
+    const auto& points = plan.fields.points;
+    out.cell_pressure = cell_values<dim>(grid, p, [&points](std::size_t c) { return main_soil(points, c); });
     for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
-      const SoilContent& content = soils_[static_cast<std::size_t>(grid.region(cell))].content;
+      const int main = main_soil(points, cell);
+      const SoilContent& content = soils_[static_cast<std::size_t>(main >= 0 ? main : grid.region(cell))].content;
       for (int i = 0; i < cell_nodes<dim>; ++i) {
         const int node = grid.cell_nodes_of(cell)[i];
         out.node_saturation[static_cast<std::size_t>(node)] = content.saturation(p[node]);

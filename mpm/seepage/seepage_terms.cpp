@@ -53,7 +53,7 @@ void Seepage<dim>::add_flux(StagePlan<dim>& plan) {
     const Soil& soil = plan.problem.soils[r];
     with_conduction(plan, soil, [&](const auto& driving, const auto& tensor) {
       const auto add = [&](const auto& inertia) {
-        const DarcyFlux flux{*water_, slots_, mobility_, reach_, volume, value, gradient, soils_[r].permeability,
+        const DarcyFlux flux{*water_, slots_, mobility_[r], reach_, volume, value, gradient, soils_[r].permeability,
                              driving, tensor, inertia};
         const auto body = [&points = plan.fields.points, region, flux] {
           for (const Block& block : points.blocks(region)) flux(block);

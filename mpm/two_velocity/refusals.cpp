@@ -82,6 +82,12 @@ void TwoVelocityLiquid<dim>::refuse_what_it_cannot_do(const StagePlan<dim>& plan
       throw CannotPlan(soil.origin + ": soil '" + soil.name +
                        "' has the effective saturation as Bishop's parameter, but " + who +
                        " (whose pull on the skeleton knows the degree of saturation only)");
+  for (const Block& block : plan.fields.points.blocks())
+    if (plan.fields.grid.region(block.cell) != block.soil)
+      throw CannotPlan(plan.stage.origin + ": " + who + ", but points of soil '" +
+                       problem.soils[static_cast<std::size_t>(block.soil)].name +
+                       "' have moved into the cells of another before (with two velocities the laws of water belong to "
+                       "cells). Use the scheme seepage, or give both one soil");
   if (!problem.conductivity_factor.empty())
     throw CannotPlan(problem.soils.front().origin + ": the cells have conductivity factors of their own, but " + who +
                      " (it takes the permeability from the soil). Use the scheme seepage");

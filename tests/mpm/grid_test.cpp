@@ -123,7 +123,8 @@ TEST(CellValues, KnowNothingOfNodesAboveTheGround) {
     const double y = grid.node(static_cast<int>(i))[1];
     pressure.push_back(y < 0.65 ? 1e3 * y * y : -7e4);  // soil up to y = 0.6
   }
-  const std::vector<double> values = cell_values<2>(grid, pressure.data(), [](std::size_t cell) { return cell < 6; });
+  const std::vector<double> values =
+      cell_values<2>(grid, pressure.data(), [](std::size_t cell) { return cell < 6 ? 0 : -1; });
   for (std::size_t cell = 1; cell < 6; ++cell) {
     const double y = grid.place(cell, {})[1], h = 0.1;
     // Quadratic fields are met inside; beside the ground's surface, where gradients are one-sided, within h2/8 p''.

@@ -1,56 +1,18 @@
 // A body that fails, slides and rests in one run: stages that events end, soil and water in true time.
 #include "mpm/simulation.h"
 #include "tests/mpm/continuation.h"
-#include "tests/mpm/plane.h"
-#include "tests/mpm/strip.h"
+#include "tests/mpm/small_slope.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace wetfront::mpm {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
-/// Rain on a layer of sand, 0.6 m on a base that rises by 28 degrees over the middle part, with room above it.
-Problem<2> slope(int along, int over) {
-  const auto base = [](double x) { return std::tan(28 * degree) * std::clamp(x - 1.5, 0.0, 3.0); };
-  Problem<2> problem = test::seed_column(2, 0.087, 2e-4, 600);
-  problem.mesh = test::plane(along, 2 * over, [&](double u, double v) {
-    return meshes::Point{6 * u, base(6 * u) + 1.2 * v, 0};
-  });
-  problem.surface = {{0, 0.6, 0}, {1.5, 0.6, 0}, {4.5, base(4.5) + 0.6, 0}, {6, base(6) + 0.6, 0}};
-  problem.initial_pressure.assign(problem.mesh.node_count(), -3000);
-  problem.water->bulk_modulus = 2e7;  // soft, for steps ten times as long
-  problem.soils[0].elastic = Elastic{2e6, 0.3, "o"};
-  problem.soils[0].law = MohrCoulomb{30 * degree, 0, 0, 0.0, "o"};
-  problem.water_boundary = {RainSide{free_surface, {{0}, {2e-4}}, "o"}};
-  problem.fixities = {
-      {"base", {true, true, false}, "o"}, {"left", {true, false, false}, "o"}, {"right", {true, false, false}, "o"}};
-  problem.initial_stress = InitialStress::k0;
-  problem.skeleton.pic = 0.002;
-  problem.probes.clear();
-  problem.riders = {{"marker", {3, base(3) + 0.55, 0}, "o"}};
-  Stage& rain = problem.stages[0];
-  rain.motion = SkeletonMotion::quasi_static;
-  rain.ends_with = StageEnd::failure;
-  rain.time_tolerance = 1e-3;
-  rain.relaxation.coupling_tolerance = 1e-3;
-  Stage slide = rain;
-  slide.name = "slide";
-  slide.motion = SkeletonMotion::dynamic;
-  slide.ends_with = StageEnd::rest;
-  slide.end_time = rain.end_time + 3;
-  slide.longest = 3;
-  slide.picture_every = 0.5;
-  problem.stages.push_back(slide);
-  problem.output_times = {100};
-  return problem;
-}
+using test::slope;
 
 TEST(Stages, ASlopeFailsSlidesAndRests) {
   Simulation<2> simulation(slope(24, 4));

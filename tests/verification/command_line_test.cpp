@@ -184,6 +184,14 @@ TEST_F(CommandLine, WhatCameOutStandsBesideThatOfASecondMesh) {
   EXPECT_THAT(none.text, HasSubstr("nothing comes out of a slide"));
 }
 
+TEST_F(CommandLine, ASlopeOfTwoSoilsSlidesUntilItRests) {
+  const Output output = wetfront("run " + cases + "layered_slope/scene.toml");
+  EXPECT_EQ(output.code, 0) << output.text;
+  const std::string result = reports::read_whole(folder / "out/layered_slope/result.json");
+  for (const char* part : {"\"water_balance\"", "\"energy_balance\"", "\"momentum_balance\""})
+    EXPECT_THAT(result, HasSubstr(part));
+}
+
 TEST_F(CommandLine, HelpListsTheCommandsAndExitCodes) {
   const Output output = wetfront("--help");
   EXPECT_EQ(output.code, 0);
