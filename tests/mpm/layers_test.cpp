@@ -212,32 +212,6 @@ TEST(Layers, DifferentLayersThatSlideContinueWithTheSameBits) {
   for (const double time : {0.1, 0.3, 0.45}) test::expect_continuation_at(problem, time);
 }
 
-/// Where a coarse and a fine soil meet, one pressure fills them differently.
-TEST(Layers, PointsAtABoundaryTakeWhatTheirOwnSoilTakes) {
-  Problem<2> problem = test::seed_column(8, 0.087, 1e-5, 2000);
-  problem.soils.push_back(other_soil(problem.soils[0]));
-  for (int cell = 0; cell < 4; ++cell) problem.mesh.region[static_cast<std::size_t>(cell)] = 1;
-  problem.mesh.region_names = {"sand", "other"};
-  for (Soil& soil : problem.soils) soil.elastic = Elastic{1e9, 0.3, "o"};
-  problem.initial_pressure.assign(problem.mesh.node_count(), -8000);
-  problem.fixities = {
-      {"base", {true, true, false}, "o"}, {"left", {true, false, false}, "o"}, {"right", {true, false, false}, "o"}};
-  problem.stages[0].motion = SkeletonMotion::quasi_static;
-  Simulation<2> simulation(problem);
-  while (!simulation.finished()) simulation.step();
-  const auto fields = simulation.state().fields;
-  double worst = 0;
-  for (std::size_t q = 0; q < 32; ++q) {
-    // Points are sorted by soil.
-    const Soil& own = problem.soils[q < 16 ? 0 : 1];
-    const double pores = fields.at("point.volume")[q] - fields.at("point.mass")[q] / own.grain_density;
-    worst = std::max(worst, std::abs(fields.at("point.water")[q] / pores -
-                                     ByHand{own}.saturation(fields.at("point.carried pressure")[q])));
-  }
-  // 8e-4 by the curvature of S between nodes; ten times that with an even share of what a node gains.
-  EXPECT_LT(worst, 2e-3);
-}
-
 TEST(Layers, TwoVelocitiesDoNotTakeOverSoilsThatHaveMixed) {
   Problem<2> problem = at_once(layered_slope(24, 4, other_soil(slope(24, 4).soils[0])), 0.3);
   Stage split = problem.stages[0];
