@@ -13,9 +13,8 @@ void bare(benchmark::State& bench) {
 }
 
 const auto* const registered = [] {
-  const auto sizes = [](benchmark::internal::Benchmark* b) {
-    return b->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-  };
+  // One thread does all the work, so its CPU time is that of the process, and the names stay plain.
+  const auto sizes = [](benchmark::internal::Benchmark* b) { return b->Unit(benchmark::kMillisecond); };
   for (long points : {10000L, 100000L, 1000000L, 4000000L}) {
     sizes(benchmark::RegisterBenchmark("step/dry_mohr_coulomb", [](benchmark::State& b) {
       step(b, sheared_sand(b.range(0), 4, 1));
@@ -28,6 +27,7 @@ const auto* const registered = [] {
     sizes(benchmark::RegisterBenchmark("step/dry_mohr_coulomb_two_threads",
                                        [](benchmark::State& b) { step(b, sheared_sand(b.range(0), 4, 2)); }))
         ->Arg(points)
+        ->MeasureProcessCPUTime()
         ->UseRealTime();
   return sizes(benchmark::RegisterBenchmark("bare/dry_mohr_coulomb", bare))->Arg(10000);
 }();

@@ -56,8 +56,8 @@ inline State mixed(const Problem<2>& problem, const State& start) {
   return state;
 }
 
-/// Runs steps; items are point-steps, timed by the CPU clock of the process. Counters: cells changed per step and
-/// point, kernels' own CPU time.
+/// Runs steps; items are point-steps per CPU second of the one thread (of two threads: by wall clock). Counters: cells
+/// changed per step and point, kernels' own CPU time.
 inline void run_steps(benchmark::State& bench, const Problem<2>& problem, bool mix, int warm_up) {
   const State start = Simulation<2>(problem).state();
   Simulation<2> simulation = mix ? Simulation<2>(problem, mixed(problem, start)) : Simulation<2>(problem);
