@@ -29,13 +29,13 @@ class ContactCondition : public NodalCondition<dim> {
     std::size_t index = 0;
     std::size_t first = 0, count = 0;  ///< of its planes
     std::array<bool, dim> held{};
-    bool sticks = false;
-    Vector<dim> stuck{};  ///< the velocity it has while it sticks: none, or what closes a gap
-    Vector<dim> force{};  ///< before damping
+    bool sticks = false;  ///< friction stops all of its velocity along the base in this step
+    Vector<dim> stuck{};  ///< the velocity it has while it sticks [m/s]: none, or what closes a gap
+    Vector<dim> force{};  ///< before damping [N; N/m]
   };
   void find_wall_pressure();
   void damp(const Node& node, Vector<dim>& v);
-  /// What the base stops at a node [kg], and the part of its reaction per area that is the water's [Pa].
+  /// What the base stops at a node [kg; kg/m], and what of its reaction per area is the water's [Pa].
   struct Wet {
     double mass, pressure;
   };
@@ -51,10 +51,10 @@ class ContactCondition : public NodalCondition<dim> {
   bool damped_ = false;  ///< reactions are found from forces before damping
   std::vector<Node> base_;
   std::vector<Vector<dim>> normal_;  ///< of each node's planes, in the axes that are not held; length 1
-  std::vector<double> friction_, area_, impulse_, approach_;
+  std::vector<double> friction_, area_, impulse_, approach_;  ///< of the planes: -; m2 or m; m/s, > 0 bears; m/s
   ContactGaps<dim> gaps_;
   const Column *node_pressure_ = nullptr, *pore_stress_ = nullptr, *volume_ = nullptr;
-  std::vector<double> wall_pressure_, weight_;  ///< per node of the grid; with seepage only
+  std::vector<double> wall_pressure_, weight_;  ///< per node of the grid [Pa; m3 or m2]; with seepage only
   struct {
     const Column *pressure = nullptr, *content = nullptr, *volume = nullptr, *extent = nullptr;
   } liquid_;  ///< of two velocities
