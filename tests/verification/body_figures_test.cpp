@@ -4,9 +4,12 @@
 #include "reports/film.h"
 #include "verification/present/body_film.h"
 #include "verification/present/slide_figures.h"
+#include "verification/run/run_scene.h"
+#include "verification/scene/read.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wetfront::verification {
@@ -36,6 +39,25 @@ TEST(BodyFigures, OutlineIsTheHighestPointOfEachStretch) {
   ASSERT_EQ(outline.y.size(), 2u);
   EXPECT_NEAR(outline.y[0], 0.9, 1e-12);
   EXPECT_NEAR(outline.y[1], 0.3, 1e-12);  // stretches begin at the leftmost point
+}
+
+/// The same column on its base and, without one, fallen onto the end of its mesh.
+TEST(HeldPoints, AreToldWhereABodyMeetsTheEndOfItsMesh) {
+  Scene scene =
+      read_scene(std::filesystem::path(WETFRONT_SOURCE_DIR) / "verification/cases" / "dry_column" / "scene.toml");
+  const auto told = [&scene] {
+    const reports::Record record = run_prepared(prepare(scene)).record;
+    const auto finding = std::ranges::find(record.findings, "held_points", &reports::Finding::quantity);
+    const bool logged = std::ranges::any_of(
+        record.log, [](const std::string& line) { return line.find("held at its border") != std::string::npos; });
+    EXPECT_EQ(finding != record.findings.end(), logged);
+    if (!logged) return 0.0;
+    EXPECT_EQ(finding->verdict, reports::Verdict::info);
+    return finding->error;
+  };
+  EXPECT_EQ(told(), 0);
+  std::erase_if(scene.boundaries, [](const Boundary& boundary) { return boundary.side == "base"; });
+  EXPECT_GT(told(), 0);
 }
 
 TEST(BodyFigures, AreNotThereForARigidSkeleton) {

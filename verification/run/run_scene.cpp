@@ -21,6 +21,7 @@
 #include "verification/present/tables.h"
 #include "verification/present/worst_points.h"
 #include "verification/run/finer_cells.h"
+#include "verification/run/held_points.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
@@ -224,6 +225,7 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
     compare_into(record, prepared, result);
   else
     judge_alone(record, prepared, result.candidate);
+  tell_held_points(record, "MPM", result.candidate.history);
   record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
   add_body(record, prepared, result.candidate, on_second_mesh(prepared, result));
