@@ -12,9 +12,9 @@ namespace wetfront::mpm {
 struct ColumnInfo {
   std::string name, symbol, unit;
   int components = 1;
-  bool carried = true;  ///< false: lives within one step only
-  std::size_t bytes_per_point = 0;
-  std::string provided_by;  ///< effect
+  bool carried = true;              ///< false: lives within one step only
+  std::size_t bytes_per_point = 0;  ///< in each slot
+  std::string provided_by;          ///< effect
 };
 
 struct EffectInfo {
@@ -40,8 +40,8 @@ struct PlanInfo {
   std::vector<StepLimit> step_limits;
   std::size_t points = 0, nodes = 0, cells = 0;
   std::size_t slots = 0;            ///< places for points: more than there are points where these may move
-  std::size_t bytes_per_point = 0;  ///< and slot
-  std::size_t point_bytes = 0;      ///< all that is allocated for points: bytes_per_point * slots
+  std::size_t bytes_per_point = 0;  ///< in each slot; with slots that are empty: point_bytes / points
+  std::size_t point_bytes = 0;      ///< all that is allocated for points: its columns, bytes_per_point * slots
   double estimated_steps = 0, estimated_cpu_seconds = 0;
 };
 

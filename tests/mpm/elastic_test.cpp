@@ -1,28 +1,53 @@
-// The elastic skeleton: gravity column, no allocation in a step.
+// The elastic skeleton: gravity column, no allocation in a step, the bytes of a plan.
+#include "mpm/plan/derive_effects.h"
+#include "mpm/plan/stage_plan.h"
 #include "mpm/simulation.h"
 #include "tests/mpm/sheared_sand.h"
 #include "tests/mpm/strip.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 std::atomic<long> allocations{0};
+
+/// What is allocated at this moment, while `watching`: how much was asked for, and where.
+struct Allocation {
+  const void* place;
+  std::size_t bytes;
+};
+std::array<Allocation, 1 << 16> living;
+std::size_t living_count = 0;
+bool watching = false;
+
+void forget(const void* memory) {
+  for (std::size_t k = living_count; watching && k-- > 0;)
+    if (living[k].place == memory) {
+      living[k] = living[--living_count];
+      return;
+    }
 }
+}  // namespace
 
 // Counts every allocation of this test program.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  if (watching && living_count < living.size()) living[living_count++] = {memory, size};
+  return memory;
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
+  forget(memory);
   std::free(memory);
 }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+  forget(memory);
   std::free(memory);
 }
 
@@ -105,6 +130,35 @@ TEST(ElasticSkeleton, PointsThatChangeCellsAllocateNothingOnceTheirRoomIsThere) 
   for (int step = 0; step < 200; ++step) simulation.step();
   EXPECT_EQ(allocations - before, 0);
   EXPECT_GT(simulation.take_history().counters.at("points that changed cells"), crossed + 100);
+}
+
+/// What `explain` prints is what the allocator was asked for: slots that hold no point are in it, and lanes' tails.
+TEST(ElasticSkeleton, TheBytesOfThePlanAreThoseAllocated) {
+  for (const auto& problem : {gravity_column(20, 0.1, 1.0), test::sheared_sand(1024, 4, 1),
+                              test::sheared_sand(900, 9, 1), test::sheared_wet_sand(1024, 4, 1)}) {
+    const PlanInfo told = plan(problem).at(0);
+    living_count = 0;
+    watching = true;
+    Fields<2> fields(problem);
+    const auto made = make_plan(problem, 0, fields);
+    made->enter();
+    std::size_t bytes = 0;
+    for (const auto& column : fields.points.columns.all()) {
+      const auto* const end = living.data() + living_count;
+      const auto* const block =
+          std::find_if(static_cast<const Allocation*>(living.data()), end,
+                       [&](const Allocation& one) { return one.place == column->values().data(); });
+      if (block != end) bytes += block->bytes;
+    }
+    watching = false;
+    ASSERT_LT(living_count, living.size());
+    std::size_t listed = 0;
+    for (const ColumnInfo& column : told.columns) listed += column.bytes_per_point;
+    EXPECT_EQ(told.point_bytes, bytes) << told.scheme;
+    EXPECT_EQ(listed * told.slots, bytes) << told.scheme;
+    EXPECT_EQ(told.slots, fields.points.slots());
+    EXPECT_GE(told.slots, told.points);
+  }
 }
 
 TEST(ElasticSkeleton, StaysStableAtItsLimit) {

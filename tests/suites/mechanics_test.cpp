@@ -2,6 +2,7 @@
 #include "tests/suites/expect_case.h"
 #include "verification/suites/mechanics/manufactured_motions.h"
 #include "verification/suites/mechanics/mechanics_suite.h"
+#include "verification/suites/mechanics/motion_book.h"
 #include "verification/suites/mechanics/motion_setups.h"
 
 #include <set>
@@ -34,6 +35,33 @@ TEST(MechanicsFaults, TwoPerCentOfStiffnessIsSeen) {
   const double right = motion.error(move<2>(problem));
   problem.soils[0].elastic->young *= 1.02;
   EXPECT_GT(motion.error(move<2>(problem)), 1.2 * right) << right;
+}
+
+TEST(MotionBook, TheProvenanceHasTheThreadsOfTheRun) {
+  for (const int threads : {1, 2}) {
+    auto problem = dry_problem<2>(rectangle_mesh(1, 1, 4, 4), dry_soil(1000, 1e6, 0.3), {0.001});
+    problem.threads = threads;
+    const Case moved = motion_case({"made_up", "Made up", "-", "-", Effort::quick, {}},
+                                   [&](MotionBook& book) { book.move<2>("a body", problem); });
+    EXPECT_EQ(run_case(moved).provenance.at("threads"), std::to_string(threads));
+  }
+}
+
+/// APIC on eight cells makes a hundredth of the energy: what may be lost does not excuse it.
+TEST(MotionBook, EnergyMadeHasAGateOfItsOwn) {
+  const auto verdict = [](std::optional<Gate> made) {
+    const Case moved = motion_case({"made_up", "Made up", "-", "-", Effort::quick, {}}, [&](MotionBook& book) {
+      mpm::SkeletonScheme scheme;
+      scheme.transfer = mpm::Transfer::apic;
+      scheme.locking = mpm::LockingRemedy::none;
+      book.energy = {0.2, "1", "-"};
+      book.energy_made = made;
+      book.move<2>("axis-aligned", axis_aligned_motion().problem(8, scheme));
+    });
+    return run_case(moved).verdict;
+  };
+  EXPECT_EQ(verdict({}), reports::Verdict::fail);
+  EXPECT_EQ(verdict(Gate{0.02, "1", "-"}), reports::Verdict::pass);
 }
 
 /// The clouds of a run are at the times asked for and hold all of the mass; empty cells stay without points.

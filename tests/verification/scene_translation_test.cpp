@@ -2,6 +2,8 @@
 #include "reports/write.h"
 #include "verification/present/contours.h"
 #include "verification/present/field_files.h"
+#include "verification/present/plan_text.h"
+#include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/former_field.h"
 #include "verification/translate/initial_pressure.h"
@@ -251,6 +253,24 @@ TEST(Translate, SoftenedWaterIsTheMpmsAlone) {
   scene.soils[0].specific_storage = 1e-4;
   EXPECT_NEAR(*mpm_soil(scene, scene.soils[0]).storage, 10 * 1e-4 / 9810, 1e-12)
       << "storage that the scene gives is softened, too";
+}
+
+TEST(PlanText, TellsWhatThePointsTakeInAllAndEach) {
+  mpm::PlanInfo plan;
+  plan.points = 100;
+  plan.slots = 125;
+  plan.bytes_per_point = 16;
+  plan.point_bytes = 2000;
+  EXPECT_THAT(plan_text({plan}),
+              testing::HasSubstr("100 points in 125 slots of 16 bytes: 0.002 MB, 20.0 bytes per point"));
+}
+
+TEST(SceneRecord, SaysHowManyThreadsTheKernelsHad) {
+  Scene scene = case_scene("dry_layers");
+  const meshes::Mesh mesh = reference_mesh(scene, 20, 0);
+  EXPECT_EQ(record_of(scene, mesh).provenance.at("threads"), "1");
+  scene.mpm.threads = 2;
+  EXPECT_EQ(record_of(scene, mesh).provenance.at("threads"), "2");
 }
 
 /// Circles of a paraboloid, cut by the edge of the square: each piece is closed or ends on the edge.

@@ -17,7 +17,9 @@ void add_effects(std::string& text, const mpm::PlanInfo& plan) {
 }
 
 void add_columns(std::string& text, const mpm::PlanInfo& plan) {
-  text += fmt::format("  columns ({} bytes per point)\n", plan.bytes_per_point);
+  const double total = static_cast<double>(plan.point_bytes), points = std::max(1.0, static_cast<double>(plan.points));
+  text += fmt::format("  columns: {} points in {} slots of {} bytes: {:.6g} MB, {:.1f} bytes per point\n", plan.points,
+                      plan.slots, plan.bytes_per_point, 1e-6 * total, total / points);
   for (const auto& column : plan.columns)
     text += fmt::format("    {:<26} {:<8} {:<9} {:>3} B  {:<8} by {}\n", column.name, column.symbol, column.unit,
                         column.bytes_per_point, column.carried ? "carried" : "one step", column.provided_by);

@@ -8,7 +8,8 @@
 namespace wetfront::verification {
 
 /// What `wetfront explain` prints of the MPM: per stage the effects and the scene line that called for each, the
-/// columns with their bytes per point, the kernels in order, the step limits with the binding one, and the cost.
+/// columns with their bytes per slot, per point and in all [MB of 1e6 bytes], the kernels in order, the step limits
+/// with the binding one, and the cost.
 std::string plan_text(const std::vector<mpm::PlanInfo>& plans);
 
 }  // namespace wetfront::verification

@@ -55,7 +55,8 @@ RunResult compare_foreign(const Scene& scene, const ForeignResult& foreign, cons
   record.kind = "another code's result";
   record.title = foreign.title;
   record.scene_text += "\n# ---- " + foreign.path.filename().string() + " ----\n" + foreign.text;
-  record.provenance = provenance(record.scene_text, result.candidate.history.mesh);
+  record.provenance = provenance(record.scene_text, result.candidate.history.mesh, 1);
+  record.provenance.erase("threads");  // the candidate's are not ours to tell
   record.provenance["candidate"] = foreign.code;
   record.tables.push_back(setup_table(scene, times));
   for (const auto& [name, solved] : result.reference->all()) note_solver(record, name, *solved);

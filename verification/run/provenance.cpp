@@ -22,7 +22,7 @@ std::string processor() {
 
 }  // namespace
 
-std::map<std::string, std::string> provenance(const std::string& input, const meshes::Mesh& mesh) {
+std::map<std::string, std::string> provenance(const std::string& input, const meshes::Mesh& mesh, int threads) {
   ContentHash text, grid;
   text.add(input);
   grid.add(mesh.nodes);
@@ -35,7 +35,7 @@ std::map<std::string, std::string> provenance(const std::string& input, const me
           {"mesh_hash", grid.text()},
           {"compiler", version::compiler},
           {"isa", mpm::instruction_set()},
-          {"threads", "1"},
+          {"threads", std::to_string(threads)},
           {"cpu", processor()},
           {"date", fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(now))}};
 }

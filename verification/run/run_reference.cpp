@@ -34,6 +34,7 @@ ReferenceResult run_reference(const Scene& scene, const std::filesystem::path& f
 
   reports::Record& record = result.record;
   record = record_of(scene, history.mesh);
+  record.provenance["threads"] = "1";  // the reference has one, whatever the scene gives the MPM
   record.case_name += "_reference";
   record.title += ": the reference alone";
   record.requirement = "The reference's own error: from coarser and finer meshes and a tenth of the tolerance.";

@@ -12,7 +12,7 @@ reports::Record record_of(const Scene& scene, const meshes::Mesh& mesh) {
   record.requirement = scene.requirement;
   record.scene_path = scene.path.string();
   record.scene_text = scene.text;
-  record.provenance = provenance(scene.text, mesh);
+  record.provenance = provenance(scene.text, mesh, scene.mpm.threads);
   return record;
 }
 

@@ -54,8 +54,8 @@ void CaseBook::describe(reports::Table setup) {
   if (std::none_of(record_.tables.begin(), record_.tables.end(), told)) record_.tables.push_back(std::move(setup));
 }
 
-void CaseBook::sign(const meshes::Mesh& mesh) {
-  record_.provenance = provenance(record_.case_name, mesh);
+void CaseBook::sign(const meshes::Mesh& mesh, int threads) {
+  record_.provenance = provenance(record_.case_name, mesh, threads);
 }
 
 void CaseBook::enter(const std::string& label, const meshes::FieldHistory& history, double tolerance) {
@@ -64,7 +64,7 @@ void CaseBook::enter(const std::string& label, const meshes::FieldHistory& histo
   balance.worst = std::max(balance.worst, imbalance);
   ++balance.runs;
   const double dofs = counter(history, "degrees of freedom");
-  if (dofs >= degrees_of_freedom_) sign(history.mesh);
+  if (dofs >= degrees_of_freedom_) sign(history.mesh, 1);
   degrees_of_freedom_ = std::max(degrees_of_freedom_, dofs);
   record_.cpu_seconds += history.cpu_seconds;
   runs_.rows.push_back({label, fmt::format("{:g}", dofs), fmt::format("{:g}", tolerance),
@@ -89,7 +89,7 @@ meshes::FieldHistory CaseBook::solve(const std::string& label, const mpm::Proble
 void CaseBook::enter(const std::string& label, const mpm::Problem<2>& problem, const meshes::FieldHistory& history) {
   point_runs_.enter(label, problem, history);
   const double nodes = static_cast<double>(history.mesh.node_count());
-  if (nodes >= degrees_of_freedom_) sign(history.mesh);
+  if (nodes >= degrees_of_freedom_) sign(history.mesh, problem.threads);
   spend(history.cpu_seconds, nodes);
 }
 

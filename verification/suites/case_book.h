@@ -41,8 +41,8 @@ class CaseBook {
   void enter(const std::string& label, const meshes::FieldHistory& history, double tolerance);
   /// States what is solved; the first that is said stays.
   void describe(reports::Table setup);
-  /// Where the page came from: program, machine, this mesh.
-  void sign(const meshes::Mesh& mesh);
+  /// Where the page came from: program, machine, this mesh, so many threads.
+  void sign(const meshes::Mesh& mesh, int threads);
   /// CPU seconds spent outside solve(), on so many unknowns.
   void spend(double cpu_seconds, double degrees_of_freedom = 0) {
     record_.cpu_seconds += cpu_seconds;

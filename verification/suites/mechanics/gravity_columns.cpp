@@ -29,7 +29,8 @@ mpm::Problem<2> column(const exact::GravityColumn& p, int cells, double periods)
 
 /// The place of each point in the column at rest follows from the mass below it: X = sum of the masses below / (rho w).
 struct Below {
-  double at_rest, now, stress, horizontal;
+  double at_rest, now;        ///< place above the base, from the masses and as found [m]
+  double stress, horizontal;  ///< vertical and horizontal, effective, tension-positive [Pa]
 };
 std::vector<Below> from_below(const Cloud<2>& cloud, double mass_per_length) {
   std::vector<std::size_t> order(cloud.size());

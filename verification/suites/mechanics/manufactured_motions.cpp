@@ -126,6 +126,7 @@ void climb(const Ladder& ladder, MotionBook& book) {
     auto curve = line(scheme_text(scheme));
     for (const int cells : ladder.cells) {
       book.energy = smooth_energy(scheme, cells, ladder.cells_lost);
+      book.energy_made = smooth_energy_made(book.energy);
       put(curve, cells,
           ladder.motion.error(
               book.move<2>(fmt::format("{}, {} cells", curve.label, cells), ladder.motion.problem(cells, scheme))));

@@ -74,6 +74,89 @@ void mohr_coulomb(CaseBook& book) {
   book.spend(cpu.seconds());
 }
 
+/// Plastic shear strain of a triaxial path, from the strains less what the stress explains elastically: not asked of
+/// the law. Of an axial strain a and a radial one r, int sqrt(2/3 e:e) = 2/3 |a - r| as long as it only grows.
+double plastic_shear(const mpm::PathState<3>& state) {
+  const double deviator = state.stress[2] - state.stress[0],
+               shear_modulus = elastic.young / (2 * (1 + elastic.poisson));
+  return 2.0 / 3 * std::abs(state.strain[2] - state.strain[0] - deviator / (2 * shear_modulus));
+}
+
+/// Strength falls in straight lines with the plastic shear strain, then stays.
+void softening(CaseBook& book) {
+  const CpuTime cpu;
+  const double range = 0.05;
+  const mpm::MohrCoulomb peak{38 * degree, 6e3, 8 * degree, {}, "suite"}, residual{30 * degree, 1e3, 0, {}, "suite"};
+  mpm::Soil soil = frictional(38, 6e3);
+  soil.law = mpm::SofteningMohrCoulomb{peak, residual, range};
+  auto path = triaxial(-0.15);
+  path.steps = 300;
+  const auto states = mpm::drive<3>(soil, isotropic(cell_pressure), {path});
+  auto figure = figure_frame({"softening", "Triaxial test of a soil that softens, 100 kPa", "Paths"},
+                             {"axial strain", "%"}, {"deviator stress q", "kPa"});
+  auto exact = dashed("closed form of the plastic shear strain");
+  double worst = 0, strained = 0;
+  int falling = 0;
+  for (const auto& state : states) {
+    strained = plastic_shear(state);
+    const double share = std::min(strained / range, 1.0);
+    const double strength =
+        exact::triaxial_strength((1 - share) * peak.friction + share * residual.friction,
+                                 (1 - share) * peak.cohesion + share * residual.cohesion, cell_pressure);
+    put(exact, 100 * std::abs(state.strain[2]), (strength - cell_pressure) / 1e3);
+    if (strained < 1e-6) continue;  // elastic so far
+    worst = std::max(worst, std::abs(-state.stress[2] / strength - 1));
+    if (share < 1) ++falling;
+  }
+  book.judge(
+      "strength",
+      fmt::format("sigma_1 of triaxial compression against the strength of its plastic shear strain, {} states on the "
+                  "way down and after",
+                  falling),
+      worst,
+      {1e-10, "1",
+       "backward Euler: the strength is that of the strain at the end of each step, to the residual of its iteration"});
+  book.judge("range", "softening range over the plastic shear strain at the end", range / strained,
+             {0.9, "1", "the path has to reach the residual strength"});
+  book.judge("range", "states wanted on the way down over those there", 30.0 / std::max(falling, 1),
+             {1, "1", "the path has to be on its way for a while"});
+  figure.series = {exact, stress_path(states, "300 steps")};
+  book.draw(figure);
+  book.spend(cpu.seconds());
+}
+
+/// Cohesion and friction of Yerro et al. 2015 at a suction; wetting under load takes them back.
+void suction(CaseBook& book) {
+  const CpuTime cpu;
+  const double cohesion = 2e3, most = 8e3, rate = 3, turn = 10 * degree, atmosphere = 100e3;
+  const mpm::MohrCoulomb saturated{30 * degree, cohesion, 0, {}, "suite"};
+  mpm::Soil soil = frictional(30, cohesion);
+  soil.law = mpm::SuctionMohrCoulomb{saturated, most, rate, turn};
+  const auto strength = [&](double s) {
+    return exact::triaxial_strength(saturated.friction + turn * s / atmosphere,
+                                    cohesion + most * (1 - std::exp(-rate * s / atmosphere)), cell_pressure);
+  };
+  auto figure = figure_frame({"suction", "Triaxial tests at 100 kPa, then wetted", "Paths"}, {"axial strain", "%"},
+                             {"deviator stress q", "kPa"});
+  for (const double s : {0.0, 10e3, 40e3, 80e3}) {
+    auto start = isotropic(cell_pressure);
+    start.suction = s;
+    auto wetting = triaxial(0);
+    wetting.suction = 0;
+    const auto loading = triaxial(-0.06);
+    const auto states = mpm::drive<3>(soil, start, {loading, wetting});
+    const auto at_failure = static_cast<std::size_t>(loading.steps);
+    book.expect("strength", fmt::format("sigma_1 of triaxial compression [Pa], suction {:g} kPa", s / 1e3),
+                -states[at_failure].stress[2], strength(s), paths);
+    if (s > 0)
+      book.expect("wetted", fmt::format("the same [Pa], wetted at that strain from {:g} kPa", s / 1e3),
+                  -states.back().stress[2], strength(0), paths);
+    figure.series.push_back(stress_path(states, fmt::format("suction {:g} kPa", s / 1e3)));
+  }
+  book.draw(figure);
+  book.spend(cpu.seconds());
+}
+
 void cam_clay(CaseBook& book) {
   const CpuTime cpu;
   const double p0 = 200e3, lambda = 0.2, kappa = 0.04, slope = 1.0;
@@ -114,6 +197,12 @@ std::vector<Case> material_path_cases() {
   return {{"mohr_coulomb_paths", "M2 Mohr-Coulomb, one point along paths",
            "Strength along triaxial and shear paths is that of Mohr and Coulomb to round-off.",
            "benchmarks.md section 6.", Effort::quick, mohr_coulomb},
+          {"softening_paths", "M2 Mohr-Coulomb that softens, one point along a path",
+           "Strength falls with the plastic shear strain from peak to residual, as the law says.",
+           "Closed form: strength linear in the plastic shear strain; mpm/laws/README.md.", Effort::quick, softening},
+          {"suction_paths", "M2 Mohr-Coulomb with suction, one point along paths",
+           "Suction adds cohesion and friction; wetting takes them back.", "Yerro, Alonso & Pinyol 2015.",
+           Effort::quick, suction},
           {"cam_clay_paths", "M2 Modified Cam-Clay, undrained path", "The undrained path ends on the critical line.",
            "Wood 1990, section 5.", Effort::quick, cam_clay}};
 }

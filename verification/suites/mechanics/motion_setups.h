@@ -38,7 +38,9 @@ std::string scheme_text(const mpm::SkeletonScheme& scheme);
 /// What mapping may take of the energy of a smooth motion on so many cells: nothing with FLIP, else `cells_lost` /
 /// cells.
 Gate smooth_energy(const mpm::SkeletonScheme& scheme, int cells, double cells_lost = 1.6);
-/// The same where weight, contact or damping act.
+/// What it may make where it may lose so much: a tenth of it; of FLIP, whose gate is round-off, as much.
+Gate smooth_energy_made(const Gate& lost);
+/// What it may lose where weight, contact or damping act.
 extern const Gate weighty_energy;
 
 }  // namespace wetfront::verification

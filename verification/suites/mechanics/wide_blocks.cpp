@@ -21,6 +21,7 @@ void rests(double friction, bool turned, MotionBook& book) {
   const InclineBlock block{.friction = friction, .turned_mesh = turned, .end = 3, .length = length, .settled = true};
   const std::string label = fmt::format("mu = {:g}, settled{}", friction, turned ? ", mesh turned" : "");
   book.energy = {0.05, "1", "it stands: what is exchanged is the little by which it settles anew (measured .024)"};
+  book.energy_made = book.energy;
   const auto path = block_path(book.move<2>(label, block_problem<2>(block)), block);
   double farthest = 0;
   for (const BlockState& state : path)
@@ -47,6 +48,7 @@ Pair both(const InclineBlock& block, MotionBook& book, reports::Figure* figure, 
   auto problem = block_problem<2>(block);
   problem.output_times.insert(problem.output_times.begin(), 0);
   book.energy = {0.15, "1", "undamped it hops: where it lands contact stops nodes, points follow (measured .11)"};
+  book.energy_made.reset();
   const auto motion = book.move<2>(fmt::format("mu = {:g}, cells of {:g} m", block.friction, block.cell), problem);
   const auto path = block_path(motion, block);
   const CpuTime clock;
