@@ -32,9 +32,9 @@ struct Water {
 
 /// Lee et al. 2021, Eq. 5: S = S_min + (S_max - S_min) [1 + (s/p0)^{1/(1-lambda)}]^-lambda for s > 0.
 struct VanGenuchtenRetention {
-  double air_entry;  ///< p0 [Pa]
-  double lambda;     ///< -
-  double s_min, s_max;
+  double air_entry;     ///< p0 [Pa]
+  double lambda;        ///< -
+  double s_min, s_max;  ///< least and largest degree of saturation [-]
   /// Saturated down to this suction [Pa], S_e = S_e,vG / S_e,vG(cut_off) beyond, Mualem's integral cut at the same
   /// place (Vogel, van Genuchten & Cislerova 2001; Ippisch, Vogel & Bastian 2006). 0: none.
   double cut_off = 0;
@@ -42,26 +42,26 @@ struct VanGenuchtenRetention {
 /// Gardner: S = S_min + (S_max - S_min) exp(-s / p_c) for s > 0.
 struct ExponentialRetention {
   double suction_scale;  ///< p_c [Pa]
-  double s_min, s_max;
+  double s_min, s_max;   ///< least and largest degree of saturation [-]
 };
 /// Haverkamp et al. 1977, sand; Vauclin et al. 1979: S_e = a / (a + s^beta), s in Pa.
 struct HaverkampRetention {
-  double a;  ///< Pa^beta
-  double beta;
-  double s_min, s_max;
+  double a;             ///< Pa^beta
+  double beta;          ///< -
+  double s_min, s_max;  ///< least and largest degree of saturation [-]
 };
 /// Haverkamp et al. 1977, Yolo clay: S_e = a / (a + ln(s / entry)^beta) for s > entry, else 1.
 struct HaverkampLogRetention {
-  double a;      ///< -
-  double beta;   ///< -
-  double entry;  ///< the unit of length in the logarithm, as suction [Pa]
-  double s_min, s_max;
+  double a;             ///< -
+  double beta;          ///< -
+  double entry;         ///< the unit of length in the logarithm, as suction [Pa]
+  double s_min, s_max;  ///< least and largest degree of saturation [-]
 };
 /// Broadbridge & White 1988: -s / scale = 1 - 1/S_e - ln[(c - S_e) / ((c - 1) S_e)] / c.
 struct BroadbridgeWhiteRetention {
   double c;              ///< > 1
   double suction_scale;  ///< lambda_s rho g [Pa]
-  double s_min, s_max;
+  double s_min, s_max;   ///< least and largest degree of saturation [-]
 };
 /// Measured points, interpolated monotonely with a continuous slope; constant beyond the driest.
 struct PointsRetention {
@@ -84,8 +84,8 @@ struct ExponentialPermeability {
 struct ConstantPermeability {};
 /// Haverkamp et al. 1977, Vauclin et al. 1979: k_rel = a / (a + s^gamma), s in Pa.
 struct HaverkampPermeability {
-  double a;  ///< Pa^gamma
-  double gamma;
+  double a;      ///< Pa^gamma
+  double gamma;  ///< -
 };
 /// Broadbridge & White 1988: k_rel = (c - 1) S_e^2 / (c - S_e), with their retention curve.
 struct BroadbridgeWhitePermeability {};
@@ -154,7 +154,7 @@ using SkeletonLaw =
 
 struct Soil {
   std::string name;
-  double porosity;
+  double porosity;                               ///< n at the start, pores over volume [-]
   double grain_density;                          ///< kg/m3
   double intrinsic_permeability;                 ///< m2
   std::optional<RetentionSpec> retention;        ///< absent in a dry scene
@@ -179,8 +179,8 @@ inline bool strengthened_by_suction(const Soil& soil) {
 /// Piecewise linear in time, constant before the first and after the last entry; two entries at one time are a jump.
 /// Schemes step exactly onto every time. Empty: not given.
 struct TimeRecord {
-  std::vector<double> time;  ///< s, not falling
-  std::vector<double> value;
+  std::vector<double> time;   ///< s, not falling
+  std::vector<double> value;  ///< in the unit of what it prescribes
 };
 
 /// Names the surface of the body wherever it is, also inside cells (Problem::surface), in place of a side of the mesh:
@@ -221,8 +221,8 @@ struct WaterLevelSide {
 /// Water offered (> 0) to or demanded (< 0) from a side per area of it, limited as rain and evaporation are.
 struct FluxSide {
   std::string side;
-  meshes::RainRecord inflow;  ///< m/s, of either sign
-  double least_pressure = -1.5e6;
+  meshes::RainRecord inflow;       ///< m/s, of either sign
+  double least_pressure = -1.5e6;  ///< Pa; of the demand only
   Origin origin;
 };
 /// Unit gradient of total head: water leaves at K(p).
@@ -436,7 +436,7 @@ struct Problem {
   int threads = 1;  ///< of the kernels over cells; results do not depend on it
   std::vector<Probe> probes;
   std::vector<Probe> riders{};  ///< followed from their first places: BodyRecord::riders
-  int points_per_cell = 4;
+  int points_per_cell = 4;      ///< of full cells at the start
   RainScheme rain_scheme = RainScheme::standard;
   /// CPU seconds that a run may take; a plan that expects more is refused, a run that takes more gives up. 0: any.
   double cpu_budget = 0;

@@ -32,7 +32,7 @@ class FixedStress : public SkeletonOfFlow<dim> {
  private:
   /// Integrals over the points of one soil in a cell, kept while they move.
   struct Cell {
-    double volume = 0, stiffness = 0;
+    double volume = 0, stiffness = 0;             ///< m3 (m2 per m); oedometer modulus [Pa]
     std::array<double, cell_nodes<dim>> share{};  ///< mean of N_i over the points of all soils in the cell, sum 1
     std::array<std::array<Vector<dim>, cell_nodes<dim>>, cell_nodes<dim>> strain{};  ///< sum_p N_i V_p grad N_j
     std::size_t cell = 0;

@@ -21,11 +21,11 @@ class SplineGrid {
   explicit SplineGrid(const meshes::Mesh& mesh);
 
   std::size_t node_count() const;
-  double spacing(int axis) const { return spacing_[axis]; }
-  Vector<dim> corner(std::size_t cell) const;  ///< lowest
+  double spacing(int axis) const { return spacing_[axis]; }  ///< of cells [m]
+  Vector<dim> corner(std::size_t cell) const;                ///< lowest [m]
   void nodes_of(std::size_t cell, int* nodes) const;
   const Axis& axis(std::size_t cell, int axis) const;
-  /// Where a function stands: along an axis 0, h/2, 3h/2, ..., L - h/2, L.
+  /// Where a function stands: along an axis 0, h/2, 3h/2, ..., L - h/2, L [m].
   Vector<dim> place(int node) const;
   /// The functions that do not vanish on a side of the box, with the integral of each over the faces of the side
   /// [m^(dim-1)]; `faces` are those of the mesh with that name, `inside` says of a cell whether it counts.

@@ -11,7 +11,7 @@ template <class Curve, class Permeability>
 struct SoilWater {
   Curve curve;
   Permeability permeability;
-  double porosity = 0;
+  double porosity = 0;            ///< -
   double saturated_mobility = 0;  ///< k/mu [m2/(Pa s)]
 
   double saturation(double pressure) const { return curve.saturation(-pressure); }

@@ -4,11 +4,11 @@
 
 namespace wetfront::mpm {
 
-/// Momentum and energy of a skeleton in a dynamic stage (meshes::MotionRow). Every step, at the nodes:
+/// Momentum [N s] and energy [J] of a skeleton in a dynamic stage (meshes::MotionRow). Every step, at the nodes:
 ///
-///     impulse   += dt sum (f_i - f_int,i)                  weight, loads, water
-///     reaction  += dt sum (m_i a_i - f_i)                  sides, contact, damping (and drag, where the liquid moves
-///     too) works     += dt sum of the same with (v_i + v_i')/2
+/// - impulse += dt sum (f_i - f_int,i): weight, loads, water
+/// - reaction += dt sum (m_i a_i - f_i): sides, contact, damping (and drag, where the liquid moves too)
+/// - works += dt sum of the same forces with (v_i + v_i')/2
 ///
 /// where v_i' are the points' new velocities mapped back, as MUSL does: then the works sum to the change of the points'
 /// own kinetic energy, to round-off as long as they take increments only. (With v_i + dt a_i in their place they would

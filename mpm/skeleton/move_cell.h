@@ -17,7 +17,7 @@ struct MemoryColumn {
 };
 
 struct MoveParts {
-  double dt;
+  double dt;    ///< s
   bool strain;  ///< stress and volume
   bool move;    ///< position
   bool b_bar;

@@ -24,14 +24,14 @@ class Overburden {
 
  private:
   struct Face {
-    Vector<dim> normal{}, centre{};
+    Vector<dim> normal{}, centre{};  ///< outward, of length 1; m
   };
   struct Range {
     double from = 0, until = 0;  ///< along the line [m]
     int last_face = -1;          ///< through which it leaves
   };
   struct Water {
-    double pressure, saturation, bishop;
+    double pressure, saturation, bishop;  ///< Pa, compression-positive; -; chi [-]
   };
   void sort_cells();
   std::array<long, 2> bucket_of(const Vector<dim>& x) const;
@@ -45,7 +45,7 @@ class Overburden {
   const StagePlan<dim>& plan_;
   Faces<dim> faces_;
   Vector<dim> up_{};
-  double gravity_ = 0;
+  double gravity_ = 0;                   ///< m/s2
   std::array<Vector<dim>, 2> across_{};  ///< axes of the buckets, across gravity
   std::array<double, 2> low_{}, width_{};
   std::array<long, 2> buckets_{1, 1};

@@ -12,10 +12,10 @@ enum class Take {
   affine,      ///< v_i + dt a_i and its gradient (APIC)
 };
 struct TransferParts {
-  double dt;
-  double pic;    ///< share of the nodes' velocities themselves
+  double dt;     ///< s
+  double pic;    ///< share of the nodes' velocities themselves [-]
   bool back;     ///< the points' new momenta go to the nodes (MUSL)
-  double light;  ///< nodal mass below which accelerations strain less (DeformingSkeleton::strained)
+  double light;  ///< nodal mass [kg; kg/m] below which accelerations strain less (DeformingSkeleton::strained)
 };
 
 /// III: v_p += dt sum N_i a_i (Eq. 13), with a share of sum N_i (v_i + dt a_i) (PIC), or all of that and C_p = its
