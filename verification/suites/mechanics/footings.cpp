@@ -115,7 +115,7 @@ std::vector<Case> footing_cases() {
       motion_case({"prandtl_20", "M2 Prandtl footing, phi = 20, associated", requirement, source, Effort::everyday, {}},
                   pushing({20, 6, 7, 3, 0.03, 2e6})),
       motion_case({"prandtl_0_fine", "M2 Prandtl footing, phi = 0, finer", requirement, source, Effort::heavy, {}},
-                  pushing({0, 16, 5, 2.5, 0.015, 2e6})),
+                  pushing({0, 16, 5, 2.5, 0.008, 4e6})),
       motion_case({"prandtl_20_fine", "M2 Prandtl footing, phi = 20, finer", requirement, source, Effort::heavy, {}},
                   pushing({20, 9, 7, 3, 0.02, 3e6}))};
 }
