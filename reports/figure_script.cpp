@@ -15,7 +15,7 @@ namespace {
 
 // Pixels. Text widths are estimated: a proportional font of size s takes about 0.55 s per character.
 constexpr double title_line = 20, note_line = 17, axis_strip = 56, legend_line = 19, sample = 30, gap = 9;
-constexpr double ink_size = 12, character = 0.5 * ink_size;
+constexpr double ink_size = 12, character = 0.5 * ink_size, label_character = 6;
 
 std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
   std::vector<std::string> lines;
@@ -74,9 +74,11 @@ void write_windows(std::ostream& out, const Figure& figure, const FigureLayout& 
     out << "set object rectangle from " << exact_text(from) << ", graph 0 to " << exact_text(to)
         << ", graph 1 behind fillcolor rgb '#f1ece0' fillstyle solid noborder\n";
     const double share = x.log ? std::log(from / x.from) / std::log(x.to / x.from) : (from - x.from) / (x.to - x.from);
-    out << "set label " << gnuplot_string(window.label) << " at "
-        << at(layout, FigureLayout::left + share * FigureLayout::plot_width + 2, layout.top - 8)
-        << " left font 'Helvetica,11' textcolor rgb '#7a6a45'\n";
+    // A label that would not fit between its window's beginning and the picture's edge ends at the edge instead.
+    const double left = FigureLayout::left + share * FigureLayout::plot_width + 2, edge = FigureLayout::width - 4;
+    const bool fits = left + label_character * static_cast<double>(characters(window.label)) <= edge;
+    out << "set label " << gnuplot_string(window.label) << " at " << at(layout, fits ? left : edge, layout.top - 8)
+        << (fits ? " left" : " right") << " font 'Helvetica,11' textcolor rgb '#7a6a45'\n";
   }
 }
 

@@ -137,6 +137,18 @@ TEST(FigureScript, PlotHasOneSizeWhateverTheLegend) {
   EXPECT_GT(lay_out(large).height, lay_out(small).height + 9 * 15);
 }
 
+/// A window that begins near the right edge: its label once ran out of the picture ("not compara").
+TEST(FigureScript, LabelsOfWindowsStayInThePicture) {
+  Figure figure;
+  figure.shaded = {{0.9, 1, "after failure: not comparable"}};
+  const FigureAxes axes;  // from 0 to 1
+  EXPECT_THAT(figure_script(figure, axes),
+              ::testing::ContainsRegex("not comparable' at screen 0\\.99[0-9]*,[0-9.]+ right"));
+  figure.shaded = {{0.1, 1, "after failure: not comparable"}};
+  EXPECT_THAT(figure_script(figure, axes),
+              ::testing::ContainsRegex("not comparable' at screen 0\\.2[0-9]*,[0-9.]+ left"));
+}
+
 TEST(FigureScript, PointsAreDrawnOverLines) {
   const std::string script = figure_script(testing::sample_record().figures[0], FigureAxes{});
   EXPECT_LT(script.rfind("with lines"), script.find("with points"));

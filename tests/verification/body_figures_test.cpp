@@ -100,13 +100,20 @@ TEST(SlideTables, ASecondMeshStandsBesideWhatCameOut) {
   const std::optional<OnSecondMesh> second{
       {"on twice the cell size", {{"failure_time", "time of failure", "s", 10951}}}};
   const reports::Table one = observed_table(scene, outcomes, {}), two = observed_table(scene, outcomes, second);
-  ASSERT_EQ(one.header.size(), 5u);
-  ASSERT_EQ(two.header.size(), 6u);
+  ASSERT_EQ(one.header.size(), 6u);
+  ASSERT_EQ(two.header.size(), 8u);
   EXPECT_EQ(two.header[4], "on twice the cell size");
-  const std::vector<std::string> row = {"time of failure", "9267 s", "-", "11004 s", "10951 s", "late"};
+  const std::vector<std::string> row = {"time of failure",
+                                        "9267 s",
+                                        "-",
+                                        "11004 s",
+                                        "10951 s",
+                                        "53 s, 0.48 %",
+                                        "here 19 % later than measured; the two meshes differ by 0.48 %",
+                                        "late"};
   EXPECT_EQ(two.rows[0], row);
   EXPECT_EQ(two.rows[1][4], "-");  // neither mesh has it
-  EXPECT_EQ(outcome_table(outcomes, second).rows[0].back(), "10951 s");
+  EXPECT_EQ(outcome_table(outcomes, second).rows[0].back(), "53 s, 0.48 %");
 }
 
 }  // namespace

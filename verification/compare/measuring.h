@@ -65,6 +65,7 @@ class Measuring {
     infiltration();
     events();
     gauges();
+    published();
     balances();
     side_fluxes();
     overshoot();
@@ -109,6 +110,7 @@ class Measuring {
   void infiltration();
   void events();
   void gauges();
+  void published();
   void balances();
   void side_fluxes();
   std::vector<meshes::Evaluator::Weights> surface_places(const std::string& side) const;

@@ -5,6 +5,7 @@
 #include "verification/compare/profile.h"
 #include "verification/present/body_figures.h"
 #include "verification/present/figure_frame.h"
+#include "verification/present/known.h"
 #include "verification/present/motion_balance.h"
 #include "verification/present/plane_figures.h"
 
@@ -167,7 +168,7 @@ Series ledger_series(const meshes::FieldHistory& history, double area, const std
 Figure ledger_figure(const meshes::FieldHistory& history, double area, const std::string& who) {
   Figure figure =
       figure_frame({"water_ledger", "Water of the " + who + ": asked, imposed, run off, delivered", "Flux audit"},
-                   {"time", "s"}, {"water per area", "mm"});
+                   {"time of the run", "s"}, {"water per area", "mm"});
   const double stored = history.ledger.front().stored;
   const auto add = [&](const std::string& label, const LedgerValue& value) {
     figure.series.push_back(ledger_series(history, area, label, value));
@@ -213,10 +214,31 @@ Figure step_figure() {
   return figure;
 }
 
+/// Whether the skeleton began to move because a stage ended with failure, before its time was over.
+bool moves_by_failure(const Scene& scene, const meshes::FieldHistory& history) {
+  if (history.motion.empty()) return false;
+  const Timeline planned = timeline(scene);
+  for (std::size_t i = 0; i < scene.stages.size(); ++i)
+    if (scene.stages[i].event.kind == StageEvent::Kind::failure &&
+        history.motion.front().time < planned.stage_end[i] * (1 - 1e-9))
+      return true;
+  return false;
+}
+
 /// What a skeleton that deforms has to show.
-void add_motion(std::vector<Figure>& all, const meshes::FieldHistory& history) {
+void add_motion(std::vector<Figure>& all, const Scene& scene, const meshes::FieldHistory& history) {
   for (Figure& picture : body_figures(history)) all.push_back(std::move(picture));
-  for (Figure& picture : motion_figures(history)) all.push_back(std::move(picture));
+  for (Figure& picture : motion_figures(history, moves_by_failure(scene, history))) all.push_back(std::move(picture));
+}
+
+/// The reference goes on when the body has come to rest: what it says then has nothing beside it.
+void end_at(Figure& figure, double end) {
+  for (Series& series : figure.series) {
+    std::size_t count = 0;
+    while (count < series.x.size() && series.x[count] <= end * (1 + 1e-12)) ++count;
+    series.x.resize(count);
+    series.y.resize(count);
+  }
 }
 
 }  // namespace
@@ -235,24 +257,28 @@ std::vector<Figure> figures(const Scene& scene, const Timeline& timeline, const 
   }
   if (!std::holds_alternative<Column>(scene.geometry.shape))
     for (Figure& picture : plane_comparison(histories)) all.push_back(std::move(picture));
-  add_motion(all, histories.candidate);
+  add_motion(all, scene, histories.candidate);
   Figure gauges = gauge_figure();
   add_gauges(gauges, histories.reference, "reference", Series::Style::line);
   add_gauges(gauges, histories.candidate, who, Series::Style::dashed);
+  if (!histories.candidate.ledger.empty()) end_at(gauges, histories.candidate.ledger.back().time);
+  draw_known_rises(gauges, scene, histories.candidate);
   if (!gauges.series.empty()) all.push_back(std::move(gauges));
   if (!scene.rains.empty()) {
     all.push_back(infiltration_figure(histories, area, std::max(rain_area(scene, histories.reference.mesh), 1e-300)));
+    if (!histories.candidate.ledger.empty()) end_at(all.back(), histories.candidate.ledger.back().time);
     all.push_back(ledger_figure(histories.candidate, area, who));
   }
   Figure steps = step_figure();
   steps.series = {step_series(histories.reference, "reference"), step_series(histories.candidate, who)};
+  if (!histories.candidate.ledger.empty()) end_at(steps, histories.candidate.ledger.back().time);
   all.push_back(std::move(steps));
   return all;
 }
 
 std::vector<Figure> figures_of_one(const Scene& scene, const meshes::FieldHistory& history, const std::string& who) {
   std::vector<Figure> all;
-  add_motion(all, history);
+  add_motion(all, scene, history);
   const bool wet = scene.water.has_value();
   for (const Field& field : column_fields()) {
     if (!wet || !std::holds_alternative<Column>(scene.geometry.shape)) break;
@@ -268,6 +294,7 @@ std::vector<Figure> figures_of_one(const Scene& scene, const meshes::FieldHistor
     for (Figure& picture : plane_figures(history, who)) all.push_back(std::move(picture));
   Figure gauges = gauge_figure();
   if (wet) add_gauges(gauges, history, who, Series::Style::line);
+  if (wet) draw_known_rises(gauges, scene, history);
   if (!gauges.series.empty()) all.push_back(std::move(gauges));
   if (!scene.rains.empty() && !history.ledger.empty())
     all.push_back(ledger_figure(history, std::max(rain_area(scene, history.mesh), 1e-300), who));

@@ -4,6 +4,7 @@
 #include "verification/compare/window.h"
 #include "verification/present/body_figures.h"
 #include "verification/present/figure_frame.h"
+#include "verification/present/known.h"
 
 #include <fmt/format.h>
 
@@ -72,7 +73,29 @@ Figure still(const Scene& scene, const mpm::Picture& picture) {
   return figure;
 }
 
-std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
+/// The body at failure, twice on its way and at the end: outlines that can be told from each other.
+std::vector<const meshes::Snapshot*> few_of_the_slide(const mpm::BodyRecord& body) {
+  const auto failed = std::ranges::find(body.pictures, "failure", &mpm::Picture::of);
+  const auto first = failed == body.pictures.end() ? body.pictures.begin() : failed;
+  const auto largest = [](const mpm::Picture& picture) {
+    double farthest = 0;
+    for (const meshes::Point& d : picture.displacement) farthest = std::max(farthest, magnitude(d));
+    return farthest;
+  };
+  std::vector<const meshes::Snapshot*> times = {&first->snapshot};
+  const double begun = largest(*first), way = largest(body.pictures.back()) - begun;
+  for (const double share : {1.0 / 3, 2.0 / 3}) {
+    const auto there = std::find_if(first, body.pictures.end() - 1, [&](const mpm::Picture& picture) {
+      return largest(picture) >= begun + share * way;
+    });
+    if (there->snapshot.time > times.back()->time && there + 1 != body.pictures.end())
+      times.push_back(&there->snapshot);
+  }
+  if (body.pictures.back().snapshot.time > times.back()->time) times.push_back(&body.pictures.back().snapshot);
+  return times;
+}
+
+std::vector<Figure> of_markers(const Scene& scene, const mpm::BodyRecord& body) {
   const double failure = failure_time(body);
   const double begin = std::isfinite(failure) ? failure : 0;
   const std::string axis = std::isfinite(failure) ? "time since failure" : "time";
@@ -96,6 +119,7 @@ std::vector<Figure> of_markers(const mpm::BodyRecord& body) {
     fast.series.push_back(std::move(v));
   }
   if (far.series.empty()) return {};
+  draw_known_displacement(far, scene);
   return {far, fast};
 }
 
@@ -106,8 +130,10 @@ std::string number(const Outcome* outcome) {
                      meaning.empty() ? "" : ", " + meaning);
 }
 
+const std::string apart = "the two meshes differ by";
+
 std::string doubt(const std::optional<OnSecondMesh>& second) {
-  return second ? "What two meshes differ by is the numerical doubt." : "";
+  return second ? "What two meshes differ by is the numerical doubt; shares are of the value here." : "";
 }
 
 }  // namespace
@@ -119,14 +145,13 @@ std::vector<Figure> slide_figures(const Scene& scene, const meshes::FieldHistory
   for (const mpm::Picture& picture : body.pictures)
     if (!picture.of.empty() && !picture.displacement.empty()) all.push_back(still(scene, picture));
   if (!all.empty()) {
-    std::vector<const meshes::Snapshot*> times;
-    for (const mpm::Picture& picture : body.pictures) times.push_back(&picture.snapshot);
+    const std::vector<const meshes::Snapshot*> times = few_of_the_slide(body);
     for (Figure& outline :
          body_figures(history.mesh, times,
                       {"slide_outline", "The slide: its upper outline in time, its points at the end", "The slide"}))
       all.push_back(std::move(outline));
   }
-  for (Figure& markers : of_markers(body)) all.push_back(std::move(markers));
+  for (Figure& markers : of_markers(scene, body)) all.push_back(std::move(markers));
   return all;
 }
 
@@ -140,11 +165,14 @@ reports::Table stage_table(const mpm::BodyRecord& body) {
 
 reports::Table outcome_table(const std::vector<Outcome>& outcomes, const std::optional<OnSecondMesh>& second) {
   reports::Table table{"What came out", "The slide", doubt(second), {"quantity", "what", "value"}, {}};
-  if (second) table.header.push_back(second->cells);
+  if (second) table.header.insert(table.header.end(), {second->cells, apart});
   for (const Outcome& one : outcomes) {
     if (told_the_other_way(one)) continue;
     table.rows.push_back({one.name, one.description, number(&one)});
-    if (second) table.rows.back().push_back(number(find_outcome(second->outcomes, one.name)));
+    if (!second) continue;
+    const Outcome* other = find_outcome(second->outcomes, one.name);
+    for (const std::string& cell : {number(other), difference_of_meshes(&one, other)})
+      table.rows.back().push_back(cell);
   }
   return table;
 }
@@ -153,17 +181,20 @@ reports::Table observed_table(const Scene& scene, const std::vector<Outcome>& ou
                               const std::optional<OnSecondMesh>& second) {
   reports::Table table{"What is known and what came out",
                        "The slide",
-                       "Not gated. " + doubt(second),
+                       "Shown beside; gates on it stand among the verdicts. " + doubt(second),
                        {"quantity", "measured", "published simulation", "here"},
                        {}};
-  if (second) table.header.push_back(second->cells);
-  table.header.push_back("remark");
+  if (second) table.header.insert(table.header.end(), {second->cells, apart});
+  table.header.insert(table.header.end(), {"in words", "remark"});
   for (const Observation& known : scene.observations) {
     const Outcome* found = find_outcome(outcomes, known.quantity);
-    table.rows.push_back({found ? found->description : known.quantity, known.measured.empty() ? "-" : known.measured,
-                          known.simulated.empty() ? "-" : known.simulated, number(found)});
-    if (second) table.rows.back().push_back(number(find_outcome(second->outcomes, known.quantity)));
-    table.rows.back().push_back(known.remark);
+    const Outcome* other = second ? find_outcome(second->outcomes, known.quantity) : nullptr;
+    std::vector<std::string> row = {found ? found->description : known.quantity,
+                                    known.measured.empty() ? "-" : known.measured,
+                                    known.simulated.empty() ? "-" : known.simulated, number(found)};
+    if (second) row.insert(row.end(), {number(other), difference_of_meshes(found, other)});
+    row.insert(row.end(), {in_a_sentence(known, found, other), known.remark});
+    table.rows.push_back(std::move(row));
   }
   return table;
 }

@@ -75,7 +75,8 @@ const std::vector<Section>& sections() {
       {"observed",
        true,
        false,
-       "what is known from an experiment or a published simulation: shown beside, not gated",
+       "what is known from an experiment or a published simulation: shown beside, gated only by a [[tolerance]] on a "
+       "quantity published_...",
        {}},
   };
   return all;

@@ -71,8 +71,8 @@ std::vector<Key> run_keys() {
     {"tolerance", "value", Takes::tolerance, "", required, "", "largest allowed error: \"1 %\", or with the unit of the quantity", "1 %"},
     {"tolerance", "reason", Takes::text, "", required, "", "where this number comes from", "spatial error of a good scheme at 40 cells, doubled"},
     {"observed", "quantity", Takes::text, "", required, "", "failure_time, slide_duration, largest_displacement, largest_velocity, or of a probe arrival_time:NAME, rise_rate:NAME, interval:NAME:NAME", "arrival_time:G-9"},
-    {"observed", "measured", Takes::text, "", optional, "", "what the experiment says, in its words", "6300 s"},
-    {"observed", "simulated", Takes::text, "", optional, "", "what a published simulation says", "6300 s"},
+    {"observed", "measured", Takes::text, "", optional, "", "what the experiment says, in its words; a number (\"about 6300 s\", \"3 to 3.7 m\") is drawn, and what came out is told against it", "6300 s"},
+    {"observed", "simulated", Takes::text, "", optional, "", "what a published simulation says, likewise; a [[tolerance]] on a quantity published_... gates what comes out against it", "6300 s"},
     {"observed", "remark", Takes::text, "", optional, "", "one sentence", "read off a figure"},
   };
 }
