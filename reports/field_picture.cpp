@@ -2,6 +2,7 @@
 
 #include "reports/colour_bands.h"
 #include "reports/escape.h"
+#include "reports/figure_files.h"
 #include "reports/number_text.h"
 #include "reports/panel_row.h"
 #include "reports/plane_drawing.h"
@@ -153,7 +154,7 @@ std::string picture_html(const FieldPicture& picture, double pressure_per_head) 
     out << "<div class=\"panel\"><p>" << html(panels[i].label) << " <span>"
         << html(range_text(picture, picture.panels[i])) << "</span></p>" << panels[i].drawing << "\n"
         << panels[i].legend << "</div>\n";
-  out << "</div></figure>\n";
+  out << "</div>" << figure_files(picture.id, {{"CSV", ".csv"}, {"SVG", ".svg"}}) << "</figure>\n";
   return out.str();
 }
 

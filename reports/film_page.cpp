@@ -2,6 +2,7 @@
 
 #include "reports/colour_bands.h"
 #include "reports/escape.h"
+#include "reports/figure_files.h"
 #include "reports/film.h"
 #include "reports/number_text.h"
 #include "reports/panel_row.h"
@@ -153,11 +154,27 @@ bool can_be_shown(const Film& film) {
   return !film.frames.empty() && film.points > 0 && film.channels.size() > first_quantity;
 }
 
+/// The points of the still frames: a point a line, all quantities.
+std::string stills_csv(const Film& film) {
+  std::string csv = "time [s]";
+  for (const Film::Channel& channel : film.channels) csv += "," + csv_cell(channel.name + " [" + channel.unit + "]");
+  csv += "\n";
+  const auto shown = spread_evenly(static_cast<std::size_t>(film.points), points_of_still);
+  for (const std::size_t frame : still_frames(film))
+    for (const std::size_t p : shown) {
+      csv += exact_text(film.frames[frame].time);
+      for (std::size_t c = 0; c < film.channels.size(); ++c) csv += "," + number_text(film_value(film, frame, c, p), 6);
+      csv += "\n";
+    }
+  return csv;
+}
+
 }  // namespace
 
 void write_stills(const Film& film, const std::filesystem::path& folder) {
   if (!can_be_shown(film)) return;
   make_folder(folder);
+  write_whole(folder / (film.id + "_stills.csv"), stills_csv(film));
   write_whole(folder / (film.id + "_stills.svg"),
               in_a_row(stills(film, 0), still_width, PlaneDrawing(extent_of(film), still_width).height() / 10));
 }
@@ -174,7 +191,7 @@ std::string film_html(const Film& film, double pressure_per_head) {
       << "</figcaption><div class=\"panels stills\">";
   for (const RowPanel& still : stills(film, pressure_per_head))
     out << "<div class=\"panel\"><p>" << html(still.label) << "</p>" << still.drawing << still.legend << "</div>\n";
-  out << "</div>"
+  out << "</div>" << figure_files(film.id + "_stills", {{"CSV", ".csv"}, {"SVG", ".svg"}})
       << "<div class=\"player\" hidden style=\"max-width:" << number_text(34 * plane.width() / plane.height())
       << "rem\"><div class=\"stage\">" << plane.open(film.title) << ground(film, plane) << plane.frame()
       << "</svg></div>";

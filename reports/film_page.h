@@ -11,7 +11,7 @@ namespace wetfront::reports {
 /// player. `pressure_per_head` as in picture_html().
 std::string film_html(const Film& film, double pressure_per_head);
 
-/// Those three frames in a row, as `<id>_stills.svg`: for papers.
+/// Those three frames in a row, as `<id>_stills.svg`: for papers; and `<id>_stills.csv`, the points that they show.
 void write_stills(const Film& film, const std::filesystem::path& folder);
 
 }  // namespace wetfront::reports

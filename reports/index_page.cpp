@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace wetfront::reports {
@@ -55,13 +57,18 @@ Cell cell_of(const Record& record, const std::string& quantity) {
   return cell;
 }
 
+/// Those that are gated anywhere, what most runs gate first: a reader of many columns sees the first few.
 std::vector<std::string> quantities_of(const std::vector<Run>& runs) {
   std::vector<std::string> quantities;
-  for (const Run& run : runs)
+  std::map<std::string, int> gating;  // runs
+  for (const Run& run : runs) {
+    std::set<std::string> gated;
     for (const Finding& finding : run.record.findings)
-      if (finding.verdict != Verdict::info &&
-          std::find(quantities.begin(), quantities.end(), finding.quantity) == quantities.end())
+      if (finding.verdict != Verdict::info && gated.insert(finding.quantity).second && ++gating[finding.quantity] == 1)
         quantities.push_back(finding.quantity);
+  }
+  std::stable_sort(quantities.begin(), quantities.end(),
+                   [&](const std::string& a, const std::string& b) { return gating[a] > gating[b]; });
   return quantities;
 }
 
@@ -190,13 +197,14 @@ void write_index(const std::vector<RunGroup>& groups, const std::filesystem::pat
                 marked_tables(runs, home) + matrix(runs) + "</section>\n";
     for (const Run& run : runs) summary.add(run);
   }
-  const std::string body =
-      "<div class=\"overview\"><header><p class=\"kind\">wetfront · overview</p><h1>" + html(title) + "</h1>" +
-      summary.text() + "</header>\n<main>\n" + sections +
-      "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
-      "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
-      "own uncertainty. A case’s name and "
-      "its cells lead to its report; small lines are the last runs, the grey line the tolerance.</p></main></div>\n";
+  const std::string body = "<div class=\"overview\"><header><p class=\"kind\">wetfront · overview</p><h1>" +
+                           html(title) + "</h1>" + summary.text() + "</header>\n<main>\n" + sections +
+                           "<p class=\"hint\">Each cell holds the gravest verdict and the largest error of one "
+                           "quantity, as a share of its tolerance (the upright line); the whisker is the reference’s "
+                           "own uncertainty. A case’s name and "
+                           "its cells lead to its report; small lines are the last runs, the grey line the tolerance. "
+                           "Quantities that most runs gate stand first; a shade at a table's "
+                           "right edge says that it goes on there.</p></main></div>\n";
   write_whole(page, whole_page(title + " · wetfront", body));
 }
 

@@ -3,6 +3,7 @@
 #include "reports/escape.h"
 #include "reports/field_picture.h"
 #include "reports/figure_data.h"
+#include "reports/figure_files.h"
 #include "reports/film_page.h"
 #include "reports/number_text.h"
 #include "reports/page_assets.h"
@@ -48,7 +49,7 @@ std::string figure_html(const Figure& figure, const DrawnFigure& drawn) {
   if (thin)
     out << "<figcaption>Drawn from the outline of its values: series hold more than " << drawn_limit
         << "; the CSV file has them all.</figcaption>";
-  out << "</figure>\n";
+  out << figure_files(figure.id, {{"CSV", ".csv"}, {"SVG", ".svg"}, {"gnuplot", ".gp"}}) << "</figure>\n";
   return out.str();
 }
 

@@ -11,7 +11,6 @@ the JUnit XML tells what they tell. Fails without Chromium.
 
 import json
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -19,9 +18,7 @@ import unittest
 from time import sleep
 from xml.etree import ElementTree
 
-from selenium import webdriver
-from selenium.webdriver.chrome.options import Options
-from selenium.webdriver.chrome.service import Service
+from chromium import browser, requests
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -33,33 +30,12 @@ DESK = tempfile.TemporaryDirectory(prefix="wetfront_page_", ignore_cleanup_error
 PAGES = pathlib.Path(DESK.name, "pages")
 
 
-def browser(javascript):
-    program, driver = shutil.which(CHROMIUM), shutil.which("chromedriver")
-    if not program or not driver:
-        raise FileNotFoundError(f"{CHROMIUM} or chromedriver is missing: install chromium and chromium-driver")
-    options = Options()
-    options.binary_location = program
-    profile = tempfile.mkdtemp(dir=DESK.name)
-    for flag in ("headless=new", "no-sandbox", "disable-gpu", "disable-background-networking", "no-first-run",
-                 "disable-dev-shm-usage", "window-size=1280,1000", f"user-data-dir={profile}"):
-        options.add_argument("--" + flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    if not javascript:
-        options.add_experimental_option("prefs", {"profile.managed_default_content_settings.javascript": 2})
-    return webdriver.Chrome(options=options, service=Service(driver))
-
-
-def requests(chromium):
-    messages = [json.loads(entry["message"])["message"] for entry in chromium.get_log("performance")]
-    return [m["params"]["request"]["url"] for m in messages if m["method"] == "Network.requestWillBeSent"]
-
-
 class Page:
     """A browser per class, the report opened afresh for each test."""
 
     @classmethod
     def setUpClass(cls):
-        cls.chromium = browser(cls.javascript)
+        cls.chromium = browser(CHROMIUM, DESK.name, cls.javascript)
         cls.addClassCleanup(cls.chromium.quit)
 
     def setUp(self):
@@ -276,6 +252,29 @@ class WithJavaScript(Page, unittest.TestCase):
         seconds = [float(row.find_elements(By.TAG_NAME, "td")[-1].text) for row in self.all(".matrix tbody tr")]
         self.assertEqual(seconds, sorted(seconds))
         self.assertEqual(seconds[-1], 312)
+
+    def test_the_index_keeps_its_first_column_and_says_that_it_goes_on(self):
+        self.chromium.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                      {"width": 600, "height": 844, "deviceScaleFactor": 1, "mobile": False})
+        try:
+            self.open(PAGES / "index.html")
+            left = lambda: [self.only(".matrix thead th:first-child").rect["x"]] + [
+                head.rect["x"] for head in self.all(".matrix th[scope=row]")]
+            before = left()
+            moved, width = self.chromium.execute_script(
+                "const w = document.querySelector('.matrix').closest('.wide'); w.scrollLeft = 150;"
+                "return [w.scrollLeft, w.scrollWidth - w.clientWidth]")
+            self.assertEqual(moved, 150, "the table is too narrow for this test")
+            self.assertGreater(width, 150)
+            self.assertEqual(left(), before)
+            opaque = self.chromium.execute_script(
+                "return getComputedStyle(document.querySelector('.matrix th[scope=row]')).backgroundColor")
+            self.assertEqual(opaque, "rgb(255, 255, 255)")
+            shade = self.chromium.execute_script(
+                "return getComputedStyle(document.querySelector('.matrix').closest('.wide')).backgroundAttachment")
+            self.assertEqual(shade, "local, scroll")
+        finally:
+            self.chromium.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
     def test_runs_are_chosen_by_verdict_and_name(self):
         self.open(PAGES / "index.html")

@@ -60,11 +60,32 @@ TEST(WriteResult, ThePageStandsAlone) {
   const TemporaryFolder desk;
   write_result(testing::sample_record(), desk.path());
   const std::string page = read_whole(desk.path() / "report.html");
-  EXPECT_THAT(addresses(page), ::testing::IsEmpty());
+  for (const std::string& address : addresses(page)) EXPECT_THAT(address, ::testing::StartsWith("figures/"));
   EXPECT_THAT(page, Not(HasSubstr("https://")));
   // The only "http://" is the name of the SVG language, with which the script makes elements.
   EXPECT_EQ(count_of(page, "http://"), count_of(page, "\"http://www.w3.org/2000/svg\""));
   EXPECT_LT(page.size(), 2'000'000U);
+}
+
+/// Below each drawing stand links to its data and to a vector file for papers, and every link leads to a file.
+TEST(WriteResult, EveryDrawingLinksItsFiles) {
+  const TemporaryFolder desk;
+  const Record record = testing::sample_record();
+  write_result(record, desk.path());
+  const auto linked = addresses(read_whole(desk.path() / "report.html"));
+  for (const std::string& address : linked) {
+    EXPECT_TRUE(fs::is_regular_file(desk.path() / address)) << address;
+    EXPECT_GT(fs::file_size(desk.path() / address), 50u) << address;
+  }
+  std::set<std::string> wanted;
+  for (const Figure& figure : record.figures)
+    for (const char* ending : {".csv", ".svg", ".gp"}) wanted.insert("figures/" + figure.id + ending);
+  for (const FieldPicture& picture : record.pictures)
+    for (const char* ending : {".csv", ".svg"}) wanted.insert("figures/" + picture.id + ending);
+  for (const Film& film : record.films)
+    for (const char* ending : {"_stills.csv", "_stills.svg"}) wanted.insert("figures/" + film.id + ending);
+  EXPECT_EQ(linked, wanted);
+  EXPECT_GE(record.pictures.size() * record.films.size(), 1u) << "the sample has drawings of all kinds";
 }
 
 TEST(WriteResult, SectionsWithoutContentAreNotThere) {
@@ -235,6 +256,29 @@ TEST(WriteIndex, LinksAreRelativeAndLead) {
   EXPECT_EQ(count_of(page, "worst of 2"), 2U);
   EXPECT_EQ(count_of(page, "<code>pressure_<wbr>l2</code>"), 1U);
   EXPECT_EQ(count_of(page, "mualem"), 0U);
+}
+
+/// What most runs gate stands first.
+TEST(WriteIndex, WidelyGatedQuantitiesComeFirst) {
+  const TemporaryFolder desk;
+  const auto record = [](const std::vector<std::string>& gated) {
+    Record out;
+    for (const std::string& quantity : gated) {
+      out.findings.emplace_back().quantity = quantity;
+      out.findings.back().verdict = Verdict::pass;
+    }
+    out.findings.emplace_back().quantity = "told";  // decides nothing: no column
+    return out;
+  };
+  write_result(record({"seldom", "often"}), desk.path() / "a");
+  write_result(record({"often", "twice", "often"}), desk.path() / "b");
+  write_result(record({"often", "twice"}), desk.path() / "c");
+  write_index({desk.path() / "a", desk.path() / "b", desk.path() / "c"}, desk.path() / "index.html", "order");
+  const std::string page = read_whole(desk.path() / "index.html");
+  EXPECT_LT(page.find("<code>often</code>"), page.find("<code>twice</code>"));
+  EXPECT_LT(page.find("<code>twice</code>"), page.find("<code>seldom</code>"));
+  EXPECT_NE(page.find("<code>seldom</code>"), std::string::npos);
+  EXPECT_EQ(page.find("<code>told</code>"), std::string::npos);
 }
 
 }  // namespace
