@@ -2,119 +2,16 @@
 
 #include "verification/compare/profile.h"
 #include "verification/foreign/point_data.h"
-#include "verification/scene/complaints.h"
-#include "verification/scene/document.h"
 #include "verification/scene/read.h"
-#include "verification/scene/units.h"
 #include "verification/translate/scene_mesh.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace wetfront::verification {
 namespace {
-
-/// Reads the declaration's tables and complains as scenes do.
-class Declaration {
- public:
-  Declaration(const Value& root, const std::filesystem::path& path)
-      : root_(root), path_(path), complaints_(path.string()) {}
-
-  ForeignResult read() {
-    ForeignResult out;
-    known(root_, {"title", "code", "snapshot", "pressure", "saturation"}, "the declaration");
-    out.path = path_;
-    out.title = text(root_, "title", {1, 1});
-    out.code = text(root_, "code", {1, 1});
-    const Entry* snapshots = root_.find("snapshot");
-    if (!snapshots || snapshots->value.items.empty())
-      complaints_.add({1, 1},
-                      {"there is no [[snapshot]]", "nothing would be compared", "Add one with file = and time =."});
-    else
-      for (const Value& one : snapshots->value.items) {
-        known(one, {"file", "time"}, "[[snapshot]]");
-        out.snapshots.push_back({path_.parent_path() / text(one, "file", one.place), quantity(one, "time", "s")});
-      }
-    out.pressure = field("pressure", "Pa");
-    out.saturation = field("saturation", "1");
-    if (complaints_.any()) throw SceneError(complaints_.in_order());
-    std::ranges::sort(out.snapshots, {}, &ForeignSnapshot::time);
-    return out;
-  }
-
- private:
-  void known(const Value& table, const std::vector<std::string>& keys, const std::string& where) {
-    for (const Entry& entry : table.entries)
-      if (std::ranges::find(keys, entry.key) == keys.end())
-        complaints_.add(entry.place, {"unknown key '" + entry.key + "' in " + where,
-                                      "a key that nothing reads would change nothing; known are " + alternatives(keys),
-                                      suggest(entry.key, keys)});
-  }
-  std::string text(const Value& table, const std::string& key, Place place) {
-    const Entry* entry = table.find(key);
-    if (entry && entry->value.kind == Value::Kind::text) return entry->value.text;
-    complaints_.add(entry ? entry->place : place,
-                    {key + " is missing or is no text", "it is needed", "Write " + key + " = \"...\"."});
-    return "";
-  }
-  double quantity(const Value& table, const std::string& key, const std::string& unit) {
-    const std::string written = text(table, key, table.place);
-    if (written.empty()) return 0;
-    const auto value = read_quantity(written, unit);
-    if (const auto* complaint = std::get_if<Complaint>(&value)) {
-      complaints_.add(table.find(key)->value.place, *complaint);
-      return 0;
-    }
-    return std::get<double>(value);
-  }
-  ForeignField field(const std::string& name, const std::string& unit) {
-    const Entry* entry = root_.find(name);
-    if (!entry) {
-      complaints_.add({1, 1}, {"there is no [" + name + "]", "both pressure and saturation are compared",
-                               "Add it with array = ..."});
-      return {};
-    }
-    const Value& table = entry->value;
-    const bool pressure = unit == "Pa";
-    known(table,
-          pressure ? std::vector<std::string>{"array", "unit", "positive"} : std::vector<std::string>{"array", "unit"},
-          "[" + name + "]");
-    ForeignField out{text(table, "array", table.place)};
-    if (pressure || table.find("unit")) {
-      const std::string written = text(table, "unit", table.place);
-      const auto value = read_quantity("1 " + written, unit);
-      if (const auto* complaint = std::get_if<Complaint>(&value))
-        complaints_.add(table.place, *complaint);
-      else
-        out.factor = std::get<double>(value);
-    }
-    if (!pressure) return out;
-    const std::string sign = text(table, "positive", table.place);
-    if (sign == "tension" || sign == "suction")
-      out.factor = -out.factor;
-    else if (sign != "compression" && !sign.empty())
-      complaints_.add(table.place,
-                      {"positive = \"" + sign + "\" is no sign", "a pressure is positive in compression or in tension",
-                       "Write positive = \"compression\" or \"tension\"."});
-    return out;
-  }
-
-  const Value& root_;
-  std::filesystem::path path_;
-  Complaints complaints_;
-};
-
-const std::vector<double>& array_of(const PointData& data, const std::string& name, const std::filesystem::path& file) {
-  const auto found = data.scalars.find(name);
-  if (found != data.scalars.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [other, values] : data.scalars) names.push_back(other);
-  cannot_read(file.string(), "there is no array '" + name + "'", fmt::format("it has {}", fmt::join(names, ", ")),
-              suggest(name, names));
-}
 
 /// Means of the points in each cell of a column, told by elevation alone.
 std::vector<double> cell_means(const meshes::Mesh& mesh, const PointData& data, const std::vector<double>& values,
@@ -141,7 +38,7 @@ std::vector<double> cell_means(const meshes::Mesh& mesh, const PointData& data, 
 meshes::PointCloud cloud_of(const ForeignResult& result, const PointData& data, const meshes::Mesh& mesh,
                             const std::filesystem::path& file) {
   const auto in_our_unit = [&](const ForeignField& field) {
-    std::vector<double> values = array_of(data, field.array, file);
+    std::vector<double> values = scalar(data, field.array, file);
     for (double& value : values) value *= field.factor;
     return values;
   };
@@ -154,6 +51,14 @@ meshes::PointCloud cloud_of(const ForeignResult& result, const PointData& data, 
   return cloud;
 }
 
+/// With places in metres.
+PointData points_of(const ForeignResult& result, const ForeignSnapshot& snapshot) {
+  PointData data = read_points(snapshot.file, result.places);
+  for (auto& place : data.position)
+    for (double& coordinate : place) coordinate *= result.metres;
+  return data;
+}
+
 std::vector<double> at_nodes(const meshes::Mesh& mesh, const std::vector<double>& cells) {
   std::vector<double> sum(mesh.node_count(), 0), count(mesh.node_count(), 0);
   for (std::size_t c = 0; c < mesh.cell_count(); ++c)
@@ -164,13 +69,6 @@ std::vector<double> at_nodes(const meshes::Mesh& mesh, const std::vector<double>
 
 }  // namespace
 
-ForeignResult read_foreign(const std::filesystem::path& path) {
-  const std::string text = scene_file_text(path);
-  ForeignResult result = Declaration(parse_document(text, path.string()), path).read();
-  result.text = text;
-  return result;
-}
-
 meshes::FieldHistory foreign_history(const ForeignResult& result, const Scene& scene, const Timeline& timeline) {
   if (!std::holds_alternative<Column>(scene.geometry.shape) || scene.soils.size() != 1)
     throw SceneError({scene.geometry.origin.text() +
@@ -180,15 +78,16 @@ meshes::FieldHistory foreign_history(const ForeignResult& result, const Scene& s
   out.solver = result.code;
   out.mesh = mpm_mesh(scene);
   out.log.push_back("read from " + result.path.string() + ": values of a cell are the means of the points in it");
+  for (const std::string& assumption : result.assumed) out.log.push_back(assumption);
   std::size_t wanted = 0;
   for (const ForeignSnapshot& snapshot : result.snapshots) {
-    const PointData data = read_points(snapshot.file);
+    const PointData data = points_of(result, snapshot);
     meshes::Snapshot kept;
     kept.time = snapshot.time;
     kept.cells_hold_averages = true;
-    kept.cell_pressure = cell_means(out.mesh, data, array_of(data, result.pressure.array, snapshot.file),
-                                    result.pressure, snapshot.file);
-    kept.cell_saturation = cell_means(out.mesh, data, array_of(data, result.saturation.array, snapshot.file),
+    kept.cell_pressure =
+        cell_means(out.mesh, data, scalar(data, result.pressure.array, snapshot.file), result.pressure, snapshot.file);
+    kept.cell_saturation = cell_means(out.mesh, data, scalar(data, result.saturation.array, snapshot.file),
                                       result.saturation, snapshot.file);
     kept.points = cloud_of(result, data, out.mesh, snapshot.file);
     kept.node_pressure = at_nodes(out.mesh, kept.cell_pressure);

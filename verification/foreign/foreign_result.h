@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshes/field_history.h"
+#include "verification/foreign/point_data.h"
 #include "verification/scene/scene.h"
 #include "verification/translate/timeline.h"
 
@@ -25,9 +26,13 @@ struct ForeignResult {
   std::string text, title, code;
   std::vector<ForeignSnapshot> snapshots;  ///< ascending
   ForeignField pressure, saturation;
+  PlaceNames places;  ///< what its tables call the coordinates; empty: x, y, z
+  double metres = 1;  ///< of a unit of its places
+  std::vector<std::string>
+      assumed;  ///< what the declaration leaves out and the code's name stands for, a sentence each
 };
 
-/// Reads a declaration. Throws SceneError in the grammar of scenes.
+/// Reads a declaration (declaration.cpp). Throws SceneError in the grammar of scenes.
 ForeignResult read_foreign(const std::filesystem::path& path);
 
 /// The result as a candidate on the scene's own cells: a cell's value is the mean of the points in it. What the soil

@@ -61,7 +61,7 @@ std::vector<std::string> number_members(hid_t type) {
 
 }  // namespace
 
-PointData read_hdf5_points(const std::filesystem::path& path) {
+PointData read_hdf5_points(const std::filesystem::path& path, const PlaceNames& places) {
   const std::string name = path.string();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what goes wrong is said here
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
@@ -83,15 +83,15 @@ PointData read_hdf5_points(const std::filesystem::path& path) {
   }
   data.position.resize(static_cast<std::size_t>(rows));
   const char* axes[] = {"coord_x", "coord_y", "coord_z"};
-  for (int a = 0; a < 3; ++a) {
-    const auto values = data.scalars.find(axes[a]);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::string wanted = places[a].empty() ? axes[a] : places[a];
+    const auto values = data.scalars.find(wanted);
     if (values == data.scalars.end()) {
-      if (a == 2) continue;
-      cannot_read(name, std::string("there is no column ") + axes[a], "it places the points",
-                  "Write the points as the CB-Geo family does.");
+      if (a == 2 && places[a].empty()) continue;
+      cannot_read(name, "there is no column " + wanted, "it places the points",
+                  "Write the points as the CB-Geo family does, or name the column in [columns].");
     }
-    for (std::size_t i = 0; i < data.position.size(); ++i)
-      data.position[i][static_cast<std::size_t>(a)] = values->second[i];
+    for (std::size_t i = 0; i < data.position.size(); ++i) data.position[i][a] = values->second[i];
   }
   return data;
 }

@@ -11,6 +11,8 @@
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,6 +39,23 @@ reports::Finding hint(const std::string& text) {
   return finding;
 }
 
+/// What the numbers of the result were taken for.
+reports::Table declaration_table(const ForeignResult& foreign) {
+  std::string assumed;
+  for (const std::string& one : foreign.assumed) assumed += (assumed.empty() ? "" : "; ") + one;
+  const auto sign = [](const ForeignField& field) {
+    return field.factor < 0 ? "tension-positive, turned over" : "compression-positive";
+  };
+  return {"What the result's numbers were taken for",
+          "Set-up",
+          assumed.empty() ? "All of it is declared." : "The declaration leaves out; " + assumed + ".",
+          {"field", "array", "times", "sign"},
+          {{"pore pressure", foreign.pressure.array, fmt::format("{:g} Pa", std::abs(foreign.pressure.factor)),
+            sign(foreign.pressure)},
+           {"saturation", foreign.saturation.array, fmt::format("{:g}", foreign.saturation.factor), "-"},
+           {"places", "x, y, z of the points", fmt::format("{:g} m", foreign.metres), "y, or z in space, upwards"}}};
+}
+
 }  // namespace
 
 RunResult compare_foreign(const Scene& scene, const ForeignResult& foreign, const std::filesystem::path& folder,
@@ -58,6 +77,7 @@ RunResult compare_foreign(const Scene& scene, const ForeignResult& foreign, cons
   record.provenance = provenance(record.scene_text, result.candidate.history.mesh, 1);
   record.provenance.erase("threads");  // the candidate's are not ours to tell
   record.provenance["candidate"] = foreign.code;
+  record.tables.push_back(declaration_table(foreign));
   record.tables.push_back(setup_table(scene, times));
   for (const auto& [name, solved] : result.reference->all()) note_solver(record, name, *solved);
   note_solver(record, foreign.code, result.candidate);
