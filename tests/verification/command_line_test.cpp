@@ -1,10 +1,12 @@
 // The program as a user meets it: exit codes, messages, files.
 #include "reports/whole_file.h"
+#include "reports/write.h"
 #include "tests/verification/program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -34,6 +36,44 @@ TEST_F(CommandLine, RunLeavesReportResultFieldsAndTheScene) {
   EXPECT_TRUE(fs::exists(out / "fields/mpm_points.pvd"));
   const Output again = wetfront("report out/scene_3e-5_smin0.87");
   EXPECT_EQ(again.code, 0) << again.text;
+}
+
+/// Another code's column, as `make report` judges it: both fields pass, where the rest comes from stays open.
+TEST_F(CommandLine, AnotherCodesResultIsJudged) {
+  const std::string folder_of = cases + "foreign_infiltration/";
+  const Output output = wetfront("compare " + folder_of + "scene.toml " + folder_of + "anura3d.result");
+  EXPECT_EQ(output.code, 4) << output.text;
+  EXPECT_THAT(output.text, HasSubstr("Anura3D against the reference of foreign_infiltration: INCONCLUSIVE"));
+  const auto result = reports::read_result(folder / "out/compare_anura3d/result.json");
+  const auto pressure = std::ranges::find(result.findings, std::string("pressure_l2"), &reports::Finding::quantity);
+  ASSERT_NE(pressure, result.findings.end());
+  EXPECT_EQ(pressure->verdict, reports::Verdict::pass);
+  EXPECT_NEAR(pressure->error, 0.0133, 0.0005);
+  const auto ledger =
+      std::ranges::find(result.tables, std::string("Where the differences come from"), &reports::Table::title);
+  ASSERT_NE(ledger, result.tables.end());
+  EXPECT_EQ(ledger->rows[0][0], "remainder");
+  EXPECT_NEAR(std::stod(ledger->rows[0][1]), 36.4, 2) << "what the case's README says of it";
+}
+
+/// Where it costs little a comparison says unasked where its differences come from; else what to call.
+TEST_F(CommandLine, CheapComparisonsHaveTheirLedger) {
+  const auto ledger_of = [&](const std::string& arguments, const std::string& out) {
+    const Output output = wetfront("run " + arguments + " --out " + out);
+    EXPECT_TRUE(output.code == 0 || output.code == 4) << output.text;
+    std::vector<reports::Table> tables = reports::read_result(folder / out / "result.json").tables;
+    std::erase_if(tables, [](const auto& table) { return table.section != "Difference ledger"; });
+    return tables;
+  };
+  const std::string column = cases + "seed_column/scene_3e-5_smin0.87.toml";
+  const auto cheap = ledger_of(column, "cheap");
+  ASSERT_EQ(cheap.size(), 4u) << "causes, then three quantities";
+  EXPECT_EQ(cheap[0].title, "Where the differences come from");
+  EXPECT_TRUE(ledger_of(column + " --no-ledger", "without").empty());
+  const auto dear = ledger_of(cases + "seed_column/window_3e-5_smin0.87.toml", "dear");
+  ASSERT_EQ(dear.size(), 1u);
+  EXPECT_THAT(dear[0].caption,
+              HasSubstr("wetfront study difference " + cases + "seed_column/window_3e-5_smin0.87.toml"));
 }
 
 TEST_F(CommandLine, SeveralScenesShareAnIndex) {

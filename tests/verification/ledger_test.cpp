@@ -106,6 +106,8 @@ TEST_F(Ledger, WithoutAFaultThereIsNothingToExplain) {
   for (const QuantityLedger& entry : ledger.quantities) {
     EXPECT_EQ(entry.verdict, reports::Verdict::pass) << entry.quantity;
     EXPECT_LT(entry.size(), 0.25 * entry.tolerance) << entry.quantity;
+    EXPECT_GT(entry.reference_mesh.uncertainty, 0) << entry.quantity;
+    EXPECT_DOUBLE_EQ(entry.reference_mesh.uncertainty + entry.reference_steps.uncertainty, entry.reference_bound);
   }
   EXPECT_EQ(ledger.quantities.size(), 3u);
 }

@@ -142,7 +142,11 @@ int main(int argc, char** argv) {
       ->excludes(quantity, kept_study)  // a study is of the scene as its file has it
       ->allow_extra_args(false);
   run->add_flag("--ledger", run_request.options.ledger,
-                "also where the differences come from: runs both solvers several times more");
+                "also where the differences come from, whatever it costs (unasked where it costs 5 CPU-s or less)");
+  run_request.options.ledger_where_cheap = true;
+  run->add_flag_callback(
+      "--no-ledger", [&] { run_request.options.ledger_where_cheap = false; },
+      "not where the differences come from, even where it costs little");
   add_store(run, arguments);
 
   add_scenes(add("explain", "effects and what called for them, columns, step limits, cost; runs nothing",

@@ -39,6 +39,25 @@ double trifle_of(const QuantityLedger& entry) {
   return std::max(negligible_of_gate * entry.tolerance, negligible_of_value * std::abs(entry.reference));
 }
 
+/// Mean share of what there is to explain.
+std::vector<std::pair<std::string, double>> ranked(const std::vector<QuantityLedger>& quantities) {
+  std::map<std::string, double> sum;
+  int counted = 0;
+  for (const QuantityLedger& entry : quantities) {
+    const double size = entry.size();
+    if (size <= trifle_of(entry)) continue;
+    ++counted;
+    for (const Share& share : entry.shares) sum[share.cause] += std::abs(share.value) / size;
+    sum["remainder"] += std::abs(entry.remainder) / size;
+  }
+  std::vector<std::pair<std::string, double>> causes(sum.begin(), sum.end());
+  for (auto& [cause, share] : causes) share /= counted;
+  std::ranges::stable_sort(causes, [](const auto& a, const auto& b) { return a.second > b.second; });
+  return causes;
+}
+
+}  // namespace
+
 void conclude(QuantityLedger& entry) {
   using reports::Verdict;
   double sum = 0;
@@ -76,25 +95,6 @@ void conclude(QuantityLedger& entry) {
                          "Causes of opposite sign hide each other: the difference is smaller than what makes it.";
 }
 
-/// Mean share of what there is to explain.
-std::vector<std::pair<std::string, double>> ranked(const std::vector<QuantityLedger>& quantities) {
-  std::map<std::string, double> sum;
-  int counted = 0;
-  for (const QuantityLedger& entry : quantities) {
-    const double size = entry.size();
-    if (size <= trifle_of(entry)) continue;
-    ++counted;
-    for (const Share& share : entry.shares) sum[share.cause] += std::abs(share.value) / size;
-    sum["remainder"] += std::abs(entry.remainder) / size;
-  }
-  std::vector<std::pair<std::string, double>> causes(sum.begin(), sum.end());
-  for (auto& [cause, share] : causes) share /= counted;
-  std::ranges::stable_sort(causes, [](const auto& a, const auto& b) { return a.second > b.second; });
-  return causes;
-}
-
-}  // namespace
-
 double QuantityLedger::size() const {
   double sum = 0, all = 0;
   for (const Share& share : shares) sum += share.value, all += std::abs(share.value);
@@ -116,6 +116,8 @@ DifferenceLedger difference_ledger(const Explained& it) {
     entry.candidate = probes.candidate[q];
     entry.reference = probes.truth[q];
     entry.reference_bound = probes.bound[q];
+    entry.reference_mesh = probes.of_the_reference("reference's mesh", probes.by_finer_cells, mesh_safety, q);
+    entry.reference_steps = probes.of_the_reference("reference's time step", probes.by_tighter_steps, step_safety, q);
     entry.tolerance = gate_on(it.scene, about[q].gate, probes.truth[q]);
     for (const CauseShares& cause : found)
       entry.shares.push_back(

@@ -36,6 +36,9 @@ struct QuantityLedger {
   std::string quantity, description, unit;
   double candidate = 0, reference = 0;
   double reference_bound = 0;  ///< what the reference does not know of it
+  /// Of that: what its mesh and its time steps leave open, and what cells half as large and a tenth of the tolerance
+  /// really changed (finer or tighter less the reference as it is). Part of the remainder's doubt, not of the shares.
+  Share reference_mesh{}, reference_steps{};
   std::vector<Share> shares;
   double remainder = 0, uncertainty = 0;  ///< uncertainty: of the remainder
   double tolerance = 0;                   ///< of the scene's gate on it, in the unit of the quantity; 0: none
@@ -50,6 +53,11 @@ struct QuantityLedger {
 
 /// Of what there is to explain: with more left unexplained, most of it may be something else.
 inline constexpr double small_remainder = 0.25;
+
+/// Remainder, its uncertainty, what cancels and the verdict, from the values, the shares and the tolerance: with no
+/// more than a tenth of the gate or 1e-4 of the value to explain PASS; INCONCLUSIVE where a share that matters comes
+/// from runs that approach no limit; else the remainder against small_remainder of all there is.
+void conclude(QuantityLedger& entry);
 
 struct DifferenceLedger {
   double time = 0;  ///< s, at which the quantities are taken

@@ -51,6 +51,15 @@ reports::Table table_of(const QuantityLedger& entry) {
     else
       table.rows.push_back({share.cause, "not measured", "", "", note});
   }
+  // The reference's own side: known beforehand, so in the doubt and not among the causes.
+  const auto of_the_reference = [&](const Share& side, const std::string& how) {
+    if (side.cause.empty()) return;
+    table.rows.push_back(
+        {side.cause, "", millimetres(side.uncertainty), "",
+         fmt::format("{} changes it by {} mm; in the remainder's doubt", how, millimetres(side.value))});
+  };
+  of_the_reference(entry.reference_mesh, "the reference on cells half as large");
+  of_the_reference(entry.reference_steps, "the reference with a tenth of its tolerance");
   table.rows.push_back({"remainder", millimetres(entry.remainder), millimetres(entry.uncertainty),
                         percent(entry.remainder), "what is left; also what causes do to each other"});
   return table;

@@ -17,11 +17,6 @@ namespace {
 
 constexpr double probe_budget = 60;  ///< CPU seconds that one probe run may be expected to take
 
-Quantities absolute(Quantities a) {
-  for (double& value : a) value = std::abs(value);
-  return a;
-}
-
 }  // namespace
 
 Quantities operator-(const Quantities& a, const Quantities& b) {
@@ -47,10 +42,14 @@ Probes::Probes(const Explained& it, std::size_t index)
   candidate = read_(it.candidate, it.candidate);
   truth = read_(reference, reference);
   on_cells = read_(reference, it.candidate);
-  // The factors of safety of compare/reference_error: 1.25 for an observed order, 2 in time.
-  bound = absolute(read_(it.reference.finer.history, it.candidate) - on_cells);
-  const Quantities tighter = absolute(read_(it.reference.tighter.history, it.candidate) - on_cells);
-  for (int q = 0; q < explained_quantities; ++q) bound[q] = 1.25 * bound[q] + 2 * tighter[q];
+  by_finer_cells = read_(it.reference.finer.history, it.candidate) - on_cells;
+  by_tighter_steps = read_(it.reference.tighter.history, it.candidate) - on_cells;
+  for (int q = 0; q < explained_quantities; ++q)
+    bound[q] = mesh_safety * std::abs(by_finer_cells[q]) + step_safety * std::abs(by_tighter_steps[q]);
+}
+
+Share Probes::of_the_reference(const std::string& cause, const Quantities& change, double safety, int quantity) {
+  return {cause, change[quantity], safety * std::abs(change[quantity]), true, true, ""};
 }
 
 std::vector<CauseShares> Probes::all() {

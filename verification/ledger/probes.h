@@ -11,6 +11,9 @@
 
 namespace wetfront::verification {
 
+/// The factors of safety of compare/reference_error: 1.25 for an observed order, 2 in time.
+inline constexpr double mesh_safety = 1.25, step_safety = 2;
+
 Quantities operator-(const Quantities& a, const Quantities& b);
 
 /// Runs the probes of a ledger; each leaves one cause's shares.
@@ -21,10 +24,14 @@ class Probes {
 
   std::vector<CauseShares> all();
 
+  /// One side's doubt of the reference: what the refinement changed, and that times its factor of safety.
+  static Share of_the_reference(const std::string& cause, const Quantities& change, double safety, int quantity);
+
   Quantities candidate;  ///< of the candidate, in its cells
   Quantities truth;      ///< of the reference, in its own
   Quantities on_cells;   ///< of the reference, in the candidate's cells
-  Quantities bound;      ///< what the reference does not know
+  Quantities bound;      ///< what the reference does not know: the sum of the two below, with their factors
+  Quantities by_finer_cells, by_tighter_steps;  ///< what these change of the reference
   double cpu_seconds = 0;
   std::vector<std::string> log;
 

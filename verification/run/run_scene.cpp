@@ -8,7 +8,6 @@
 #include "verification/compare/missed_events.h"
 #include "verification/compare/verdict.h"
 #include "verification/compare/window.h"
-#include "verification/ledger/rerun_scene.h"
 #include "verification/present/body_film.h"
 #include "verification/present/field_files.h"
 #include "verification/present/field_pictures.h"
@@ -22,6 +21,7 @@
 #include "verification/present/worst_points.h"
 #include "verification/run/finer_cells.h"
 #include "verification/run/held_points.h"
+#include "verification/run/ledger_of_run.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
@@ -258,35 +258,6 @@ std::vector<std::string> why_given_up(const RunResult& result) {
   return reasons;
 }
 
-namespace {
-
-/// Before anything is run: what is missing must not be said at its end.
-void check_ledger(const Scene& scene, const Timeline& timeline) {
-  if (!scene.reference)
-    throw SceneError({scene.path.string() +
-                      ":1:1: a ledger of differences is asked for, but the scene has no reference "
-                      "(there is nothing to differ from). Add [reference]."});
-  if (timeline.comparison_times.empty())
-    throw SceneError({scene.comparison.origin.text() +
-                      ": a ledger of differences is asked for, but no time at which fields are compared (there is "
-                      "nothing to explain). Add times to [comparison]."});
-}
-
-/// Where the differences come from, into the record; its verdicts count as the others do.
-void add_difference_ledger(const Scene& scene, const Timeline& timeline, const ReferenceStore& store,
-                           RunResult& result) {
-  if (result.exit == Exit::gave_up) {
-    result.record.log.push_back("ledger: not made, as a solver gave up");
-    return;
-  }
-  add_ledger(result.record, difference_ledger({scene, timeline, result.candidate.history, *result.reference,
-                                               rerun_scene(scene, timeline), store}));
-  result.record.verdict = overall(result.record.findings);
-  result.exit = exit_for(result.record.verdict);
-}
-
-}  // namespace
-
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options) {
   const double accuracy = options.accuracy > 0 ? options.accuracy : scene.mpm.accuracy;
   if (options.resume && accuracy > 0)
@@ -302,7 +273,10 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
                          ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))
                          : run_prepared(prepared, options.store, stopping);
   for (const std::string& note : options.notes) result.record.log.insert(result.record.log.begin(), note);
-  if (options.ledger) add_difference_ledger(scene, prepared.timeline, options.store, result);
+  if (options.ledger)
+    add_difference_ledger(scene, prepared.timeline, options.store, result);
+  else if (options.ledger_where_cheap && !(accuracy > 0))  // an accuracy's candidate is not the scene's own
+    add_ledger_where_cheap(scene, prepared.timeline, options.store, result);
   reports::write_result(result.record, folder);
   auto files = field_files(result.candidate.history, "mpm", result.candidate.body);
   if (result.reference)

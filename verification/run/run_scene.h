@@ -62,6 +62,7 @@ struct RunOptions {
   bool resume = false;               ///< go on from the checkpoint in the folder
   double checkpoint_every = 60;      ///< s of wall time; 0: after every step
   bool ledger = false;               ///< also where the differences come from: runs both solvers several times more
+  bool ledger_where_cheap = false;   ///< the same if that is expected to cost little (ledger_of_run.h)
   std::vector<std::string> notes{};  ///< for the log, e.g. why these settings were chosen
 };
 /// Runs a scene and leaves report.html, result.json, CSV, fields and the exact scene in `folder`.
