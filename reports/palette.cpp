@@ -15,6 +15,8 @@ constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73",
 // gnuplot's SVG points: open circle, square, upward and downward triangle, diamond, cross, plus.
 constexpr std::array<int, 7> marks = {6, 4, 8, 10, 12, 2, 1};
 
+constexpr const char *reference_colour = "#000000", *best_colour = "#7f4f24";
+
 std::size_t wrapped(int index, std::size_t size) {
   return static_cast<std::size_t>(index < 0 ? 0 : index) % size;
 }
@@ -22,6 +24,8 @@ std::size_t wrapped(int index, std::size_t size) {
 }  // namespace
 
 std::string colour_of(int index) {
+  if (index == colour_of_the_reference) return reference_colour;
+  if (index == colour_of_the_best) return best_colour;
   return colours[wrapped(index, colours.size())];
 }
 

@@ -9,8 +9,11 @@
 /// under the common colour-vision deficiencies; the marks differ as well, so that no reading rests on colour alone.
 namespace wetfront::reports {
 
-/// "#rrggbb" of a palette index (taken modulo the palette's size).
+/// "#rrggbb" of a palette index (taken modulo the palette's size), or of one of the two below.
 std::string colour_of(int index);
+
+/// Indices of what is to be told apart from any number of other curves: black, brown.
+inline constexpr int colour_of_the_reference = 1000, colour_of_the_best = 1001;
 
 /// gnuplot point type of a palette index (open circle, square, triangle, ...).
 int mark_of(int index);

@@ -1,5 +1,6 @@
 // Studies as a user meets them: points side by side, a killed study resumed without computing finished points again,
 // job arrays, and the choice of a setting by a stored study of accuracy.
+#include "reports/palette.h"
 #include "reports/whole_file.h"
 #include "reports/write.h"
 #include "tests/verification/program.h"
@@ -20,7 +21,9 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <limits>
 #include <map>
+#include <set>
 #include <thread>
 
 namespace wetfront::verification {
@@ -176,6 +179,57 @@ TEST(Accuracy, OrdersAreToldByTheCellsThatThereAre) {
   EXPECT_EQ(orders->rows[0][2], "1.00");
 }
 
+TEST(Accuracy, ErrorsAreClassedByHowTheyFall) {
+  EXPECT_EQ(convergence_of({0.04, 0.01, 0.0025}), Convergence::monotone);
+  EXPECT_EQ(convergence_of({0.04, 0.01, 0.012}), Convergence::oscillatory);
+  EXPECT_EQ(convergence_of({0.01, 0.005, 0.02}), Convergence::divergent);
+  EXPECT_EQ(convergence_of({0.01, 0.01}), Convergence::divergent);
+  EXPECT_EQ(convergence_of({0.01}), Convergence::none);
+}
+
+/// A window's points have their orders, too; what misses the scene's gates there has run all the same; what did not
+/// happen has no error; reference and front have colours that no scheme has.
+TEST(Accuracy, WindowsAreToldAsTheWholeSceneIs) {
+  std::vector<AccuracyPoint> points;
+  std::vector<PointResult> results;
+  for (const double cells : {1.0, 2.0, 4.0}) {
+    points.push_back({{fmt::format("explicit, {:g} cells, from 1 s for 2 s", cells), {{"a", "1"}}},
+                      "explicit",
+                      cells,
+                      "from 1 s for 2 s"});
+    results.push_back(result(cells, 0.04 / (cells * cells), 0));
+    results.back().exit = static_cast<int>(Exit::inconclusive);
+    reports::Finding late;
+    late.quantity = "arrival_time";
+    late.error = std::numeric_limits<double>::infinity();
+    results.back().findings.push_back(late);
+  }
+  for (int scheme = 0; scheme < 9; ++scheme) {
+    points.push_back({{"s", {}}, "scheme " + std::to_string(scheme)});
+    results.push_back(result(1 + scheme, 0.04 / (1 + scheme), 0));
+  }
+  const reports::Record page =
+      accuracy_page(read_scene(seed), points, results, {{320, 0.2, 1e-5}, {160, 0.1, 4e-5}}, testing::TempDir());
+  const auto titled = [&](const std::string& title) {
+    return *std::ranges::find(page.tables, title, &reports::Table::title);
+  };
+  const reports::Table orders = titled("Order in the cell size, a window from 1 s for 2 s");
+  ASSERT_EQ(orders.rows.size(), 1u);
+  EXPECT_EQ(orders.rows[0][2], "2.00, 2.00");
+  EXPECT_EQ(orders.rows[0][3], "monotone");
+  const reports::Table settings = titled("Settings, a window from 1 s for 2 s");
+  EXPECT_THAT(settings.rows[0], testing::ElementsAre("explicit, 1 cells", "-", "1", "4 %", "-", "yes", ""));
+  std::map<int, std::set<std::string>> curves;
+  for (const reports::Series& series : page.figures[0].series)
+    if (!series.label.empty()) curves[series.colour].insert(series.label);
+  EXPECT_EQ(curves.at(reports::colour_of_the_reference), std::set<std::string>{"reference, at its nodes"});
+  EXPECT_EQ(curves.at(reports::colour_of_the_best), std::set<std::string>{"Pareto front"});
+  EXPECT_NE(reports::colour_of(reports::colour_of_the_reference), reports::colour_of(reports::colour_of_the_best));
+  for (int scheme = 0; scheme < 9; ++scheme)
+    for (const int own : {reports::colour_of_the_reference, reports::colour_of_the_best})
+      EXPECT_NE(reports::colour_of(scheme), reports::colour_of(own));
+}
+
 /// No reference knows a run-out: runs are told by how far they are off from the one on the finest cells.
 TEST(Accuracy, WhatComesOutOfASlideIsHeldAgainstTheFinestCells) {
   std::vector<AccuracyPoint> points;
@@ -244,6 +298,43 @@ TEST(Effects, ARefusedRunIsNoEvidence) {
   refused.exit = static_cast<int>(Exit::pass);
   EXPECT_EQ(overall_need(influences(scene, base, base, refused)), Need::needed) << "the outcome no longer happens";
   EXPECT_EQ(overall_need(influences(scene, base, base, refused, 0.25)), Need::undecided) << "coarse cells may miss it";
+}
+
+/// An event that is gone and one that is new are not the same thing.
+TEST(Effects, ASentenceSaysWhetherAnEventIsGoneOrNew) {
+  const Scene scene = read_scene(seed);
+  PointResult with, without;
+  with.candidate = {{"ponding_time", "time of ponding", "s", 100}};
+  without.candidate = {{"ponding_time", "time of ponding", "s", std::nan("")}};
+  const EffectChange left_out{"inertia of the water", true, "seepage", {}};
+  const auto gone = influences(scene, with, with, without), fresh = influences(scene, without, without, with);
+  ASSERT_EQ(gone.size(), 1u);
+  ASSERT_EQ(fresh.size(), 1u);
+  EXPECT_THAT(effect_sentence(left_out, without, gone), HasSubstr("Without it there is no time of ponding any more."));
+  EXPECT_THAT(effect_sentence(left_out, with, fresh),
+              HasSubstr("Without it there is a time of ponding, otherwise none."));
+}
+
+/// Contact is tried where a scene has it; what cannot be taken apart is said with its reason.
+TEST(Effects, ContactIsTriedAndTheInseparableNamed) {
+  const std::string path = WETFRONT_SOURCE_DIR "/verification/cases/moriwaki_flume/contact.toml";
+  const Scene flume = read_scene(path), column = read_scene(seed);
+  std::vector<std::string> effects;
+  for (const EffectChange& change : effect_changes(flume)) {
+    effects.push_back(change.effect);
+    if (change.by_nature.empty()) {
+      EXPECT_NO_THROW(read_scene(path, change.point.settings)) << change.point.name;
+    }
+  }
+  EXPECT_THAT(effects, testing::IsSupersetOf({"friction of the contact", "slip on the contact", "anisotropy"}));
+  for (const EffectChange& change : effect_changes(column)) EXPECT_NE(change.effect, "anisotropy") << "one way to go";
+  const auto said = [](const Scene& scene) {
+    std::vector<std::string> names;
+    for (const InseparableEffect& one : inseparable_effects(scene)) names.push_back(one.effect);
+    return names;
+  };
+  EXPECT_THAT(said(flume), testing::ElementsAre("porosity change", "finite rotation"));
+  EXPECT_THAT(said(column), testing::ElementsAre("porosity change", "finite rotation", "contact friction"));
 }
 
 /// Every change is a scene that can be read: the settings lead somewhere and the reader has no complaint.
@@ -317,6 +408,53 @@ TEST_F(Study, AccuraciesChooseTheirSettings) {
     EXPECT_LE(worst, accuracy);
   }
   EXPECT_NE(chosen[0.01], chosen[0.001]);
+}
+
+/// A stored study without a setting that is fine enough is no obstacle: the MPM is refined as if there were none.
+TEST_F(Study, AnAccuracyBeyondTheStudyIsReachedByRefinement) {
+  const std::string scene = WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_7.5e-5.toml";
+  wetfront("study accuracy " + scene + " --out acc --point 0");  // ten cells
+  const Output run = wetfront("run " + scene + " --accuracy 0.005 --study acc --out fine");
+  EXPECT_TRUE(run.code == 0 || run.code == 4) << run.text;
+  EXPECT_THAT(run.text, HasSubstr("none of the 1 settings studied in acc reaches it"));
+  const reports::Record record = reports::read_result(folder / "fine/result.json");
+  EXPECT_THAT(record.log, testing::Contains(HasSubstr("so the MPM is refined until its own estimated error does")));
+  EXPECT_TRUE(std::ranges::any_of(record.tables, [](const auto& table) {
+    return table.title.find("ccuracy") != std::string::npos;
+  })) << "the runs that looked for it";
+  const Output other = wetfront("run " + scene + " --accuracy 1e-9 --quantity front_position --study acc --out never");
+  EXPECT_EQ(other.code, 2) << "refinement knows pressure alone";
+}
+
+/// From the command to the citation: ten cells of the seed column, each effect in a sentence; `explain` has them until
+/// the scene is another.
+TEST_F(Study, EffectsAreTriedAndCited) {
+  std::string text = reports::read_whole(WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_7.5e-5.toml");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("cells = 40", "cells = 10");
+  replace("cells = 320", "cells = 40");
+  reports::write_whole(folder / "column.toml", text);
+  const Output study = wetfront("study effects column.toml --budget 1 --jobs 1");
+  ASSERT_EQ(study.code, 0) << study.text;
+  const reports::Record record = reports::read_result(folder / "out/study_effects_column/result.json");
+  const auto table = std::ranges::find(record.tables, std::string("Effects"), &reports::Table::title);
+  ASSERT_NE(table, record.tables.end());
+  const auto tried = std::ranges::count_if(table->rows, [](const auto& row) { return row[2] != "not separable"; });
+  EXPECT_GE(tried, 8);
+  const Output cited = wetfront("explain column.toml");
+  EXPECT_THAT(cited.text, HasSubstr("what the scene needs, by the study of effects in out/study_effects_column"));
+  for (const auto& row : table->rows) {
+    EXPECT_THAT(row.back(), testing::MatchesRegex("[A-Z].*[.].*")) << "a sentence on " << row[0];
+    EXPECT_THAT(cited.text, HasSubstr(row.back()));
+    EXPECT_THAT(study.text, HasSubstr(row.back()));
+  }
+  for (const auto& one : record.tables)
+    for (const auto& row : one.rows) EXPECT_THAT(row, testing::Not(testing::Contains(HasSubstr("nan")))) << one.title;
+  reports::write_whole(folder / "column.toml", text + "\n# another scene now\n");
+  EXPECT_THAT(wetfront("explain column.toml").text, testing::Not(HasSubstr("what the scene needs")));
 }
 
 TEST_F(Study, DifferencesAreExplained) {

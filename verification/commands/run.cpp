@@ -56,6 +56,12 @@ std::optional<Chosen> chosen_by_study(const Scene& scene, const RunRequest& requ
     }
   if (results.empty()) return {};
   const auto best = cheapest(results, quantity, accuracy);
+  if (!best && quantity == "pressure_l2")  // what refinement can reach by itself
+    return Chosen{
+        {},
+        fmt::format("accuracy {} of {} was asked for; none of the {} settings studied in {} reaches it (the "
+                    "finest is not fine enough), so the MPM is refined until its own estimated error does",
+                    amount(accuracy, find_quantity(quantity)->unit), quantity, results.size(), folder.string())};
   if (!best)
     throw std::invalid_argument(
         fmt::format("--accuracy: none of the {} settings studied in {} brings {} within {:g} (the "
@@ -84,9 +90,10 @@ Scene scene_for(const std::filesystem::path& path, const RunRequest& request, Ru
                                 "program finds by itself is an accuracy of pressure). Run `wetfront study accuracy " +
                                 path.string() + "` first");
   if (!chosen) return scene;
-  options.accuracy = 0;
   options.notes.push_back(chosen->sentence);
   fmt::print("{}\n", chosen->sentence);
+  if (chosen->settings.empty()) return scene;
+  options.accuracy = 0;
   return read_scene(path, chosen->settings);
 }
 

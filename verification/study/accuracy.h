@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reports/record.h"
+#include "verification/compare/reference_error.h"
 #include "verification/scene/scene.h"
 #include "verification/study/point_result.h"
 
@@ -41,6 +42,10 @@ std::vector<double> errors_of(const std::vector<PointResult>& results, const std
 /// The cheapest finished point whose error, with the reference's own, is within `target`; nothing where there is none.
 std::optional<std::size_t> cheapest(const std::vector<PointResult>& results, const std::string& quantity,
                                     double target);
+
+/// How errors, from coarse to fine cells, approach zero: monotone where every refinement lowers them, oscillatory where
+/// some raise them, divergent where the last is no smaller than the first; none of fewer than two.
+Convergence convergence_of(const std::vector<double>& errors);
 
 /// Points that no other beats in both error and CPU seconds, by ascending cost.
 std::vector<std::size_t> pareto(const std::vector<PointResult>& results, const std::vector<double>& errors);

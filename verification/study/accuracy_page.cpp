@@ -1,4 +1,5 @@
 // What accuracy costs, as a page.
+#include "reports/palette.h"
 #include "verification/compare/gates.h"
 #include "verification/present/figure_frame.h"
 #include "verification/scene/quantities.h"
@@ -37,7 +38,7 @@ bool in_metres(const std::string& quantity) {
 }
 
 std::string percent_or_metres(double value, const std::string& quantity) {
-  if (std::isnan(value)) return "-";
+  if (!std::isfinite(value)) return "-";  // not measured, or it did not happen in one of the two
   if (std::abs(value) < round_off) return "round-off";
   return in_metres(quantity) ? fmt::format("{:.3g} mm", 1e3 * value) : fmt::format("{:.3g} %", 100 * value);
 }
@@ -86,11 +87,10 @@ Figure work_precision(const Study& study, const FigureHeading& heading, const Fi
     curve->y.push_back(error);
   }
   if (curves.empty()) return figure;
-  const int next = static_cast<int>(curves.size());
   for (const Series& curve : curves)  // a line through the points; their legend is enough
     figure.series.push_back({"", Series::Style::line, curve.x, curve.y, curve.colour});
   std::ranges::move(curves, std::back_inserter(figure.series));
-  Series front{"Pareto front", Series::Style::dashed, {}, {}, next};
+  Series front{"Pareto front", Series::Style::dashed, {}, {}, reports::colour_of_the_best};
   for (const std::size_t i : pareto(study.results, errors)) {
     if (!(errors[i] > round_off)) continue;
     front.x.push_back(study.results[i].candidate_cpu);
@@ -108,7 +108,7 @@ Figure against_reference(const Study& study, const Studied& about, const std::ve
                      {"error of " + name, in_metres(quantity) ? "m" : "1"}, errors_of(study.results, quantity));
   if (figure.series.empty()) return figure;
   if (quantity == "pressure_l2" && !reference.empty()) {
-    Series line{"reference, at its nodes", Series::Style::line, {}, {}, figure.series.back().colour + 1};
+    Series line{"reference, at its nodes", Series::Style::line, {}, {}, reports::colour_of_the_reference};
     for (const ReferenceCost& cost : reference)
       if (cost.error > 0) line.x.push_back(cost.cpu_seconds), line.y.push_back(cost.error);
     figure.series.push_back(std::move(line));
@@ -165,7 +165,7 @@ reports::Table points_table(const Study& study, const std::filesystem::path& out
     } else {
       // A window is not what the scene's gates are about.
       row.insert(row.end(),
-                 {whole || result.exit > 1 ? verdict_of(result) : "-", fmt::format("{:.3g}", result.candidate_cpu)});
+                 {whole || !result.ran() ? verdict_of(result) : "-", fmt::format("{:.3g}", result.candidate_cpu)});
       for (const Studied& about : known)
         row.push_back(percent_or_metres(error_of(result, about.quantity), about.quantity));
       row.push_back(std::ranges::find(front, i) != front.end() ? "yes" : "");
@@ -179,10 +179,14 @@ reports::Table points_table(const Study& study, const std::filesystem::path& out
 
 /// Observed orders in the cell size, scheme by scheme, and where halving the cells stops to help.
 reports::Table orders_table(const Study& study) {
+  const std::string window = study.points.empty() ? "" : study.points.front().window;
   reports::Table table{
-      "Order in the cell size, and floors",
+      window.empty() ? "Order in the cell size, and floors" : "Order in the cell size, a window " + window,
       "Orders",
-      "Error of pressure (relative L2, worst time). Spatial floor: what the scene's cells leave when the "
+      "Class: monotone, every refinement lowers the error; oscillatory, some raise it; divergent, the finest cells are "
+      "no "
+      "better than the coarsest. Error of pressure (relative L2, worst time). Spatial floor: what the scene's cells "
+      "leave when the "
       "time integration is made exact. Temporal floor: where halving the cells helps no more.",
       {"scheme", "errors, from coarse to fine cells", "orders between them", "class",
        "spatial floor at the scene's cells", "temporal floor"},
@@ -205,19 +209,19 @@ reports::Table orders_table(const Study& study) {
         told.push_back({study.points[i].cells, error_of(study.results[i], "pressure_l2")});
     if (told.size() < 2 || told.front().cells == told.back().cells) continue;  // something else was changed
     std::string shown, orders;
-    bool falls = true, floor = false;
+    bool floor = false;
+    std::vector<double> errors;
     for (std::size_t i = 0; i < told.size(); ++i) {
+      errors.push_back(told[i].error);
       shown += (i ? ", " : "") + percent_or_metres(told[i].error, "pressure_l2");
       if (i == 0) continue;
       const double order = std::log(told[i - 1].error / told[i].error) / std::log(told[i].cells / told[i - 1].cells);
       orders += (i > 1 ? ", " : "") + fmt::format("{:.2f}", order);
-      falls = falls && order > 0;
       floor = order < 0.5;
     }
+    const Convergence seen = convergence_of(errors);
     table.rows.push_back({curve, shown, orders,
-                          !falls  ? "not monotone"
-                          : floor ? "monotone, then a floor"
-                                  : "monotone",
+                          std::string(word(seen)) + (floor && seen == Convergence::monotone ? ", then a floor" : ""),
                           curve.starts_with("seepage, bdf2") ? percent_or_metres(exact_in_time, "pressure_l2") : "-",
                           floor ? percent_or_metres(std::ranges::min(told, {}, &Told::error).error, "pressure_l2")
                                 : "below " + percent_or_metres(told.back().error, "pressure_l2")});
@@ -296,8 +300,11 @@ reports::Record accuracy_page(const Scene& scene, const std::vector<AccuracyPoin
   }
   add_slide(record, study);
   const std::vector<std::string> windows = windows_of(points);
-  for (std::size_t w = 0; w < windows.size(); ++w)
-    add_window(record, part_of(points, results, windows[w]), reference, w);
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    const Study part = part_of(points, results, windows[w]);
+    add_window(record, part, reference, w);
+    if (reports::Table orders = orders_table(part); !orders.rows.empty()) record.tables.push_back(std::move(orders));
+  }
   if (!reference.empty()) {
     reports::Table table{"The reference",
                          "Cost",

@@ -26,6 +26,7 @@ class Changes {
       water();
     }
     skeleton();
+    contact();
     return std::move(found_);
   }
 
@@ -80,7 +81,7 @@ class Changes {
         std::ranges::any_of(scene_.soils, [](const Soil& soil) { return soil.anisotropy.has_value(); });
     if (anisotropic)
       add("anisotropy", true, "the same conductivity along and across", for_soils("anisotropy", ""));
-    else
+    else if (!std::holds_alternative<Column>(scene_.geometry.shape))  // there water has one way to go
       add("anisotropy", false, "twice the conductivity along the bedding",
           for_soils("anisotropy", "{ along = 2, across = 1 }"));
     if (std::ranges::any_of(scene_.soils, [](const Soil& soil) { return soil.conductivity_field.has_value(); }))
@@ -112,6 +113,21 @@ class Changes {
     if (!scene_.water && std::holds_alternative<Box>(scene_.geometry.shape) &&
         scene_.skeleton.shape == SkeletonSettings::Shape::linear)
       add("quadratic splines", false, "in place of linear shape functions", {{"skeleton.shape", "quadratic-spline"}});
+  }
+
+  /// Sides on which the body may slide and from which it may lift: without friction, and stuck.
+  void contact() {
+    Settings smooth, stuck;
+    for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
+      const auto& skeleton = scene_.boundaries[i].skeleton;
+      if (!skeleton || skeleton->kind != SkeletonCondition::Kind::contact) continue;
+      smooth.push_back({side(i) + "base_friction", "0 deg"});
+      stuck.push_back({side(i) + "skeleton", "fixed"});
+      stuck.push_back({side(i) + "base_friction", ""});
+    }
+    if (smooth.empty()) return;
+    add("friction of the contact", true, "a smooth base, 0 degrees", smooth);
+    add("slip on the contact", true, "stuck to the base", stuck);
   }
 
   void rigid_skeleton() {
@@ -165,6 +181,24 @@ class Changes {
 
 std::vector<EffectChange> effect_changes(const Scene& scene) {
   return Changes(scene).all();
+}
+
+std::vector<InseparableEffect> inseparable_effects(const Scene& scene) {
+  const bool deforming = deforms(scene);
+  const std::string nothing =
+      "a rigid skeleton has none; it comes with the deformation of the skeleton, which is tried";
+  std::vector<InseparableEffect> all{
+      {"porosity change", deforming,
+       deforming ? "the volume of a point is what its pores follow, and mass would not be kept without it" : nothing},
+      {"finite rotation", deforming,
+       deforming ? "every stress law turns the stress with the step, and without that a body that turns would strain"
+                 : nothing}};
+  const auto contact = [](const Boundary& boundary) {
+    return boundary.skeleton && boundary.skeleton->kind == SkeletonCondition::Kind::contact;
+  };
+  if (std::ranges::none_of(scene.boundaries, contact))
+    all.push_back({"contact friction", false, "no side of the scene is in contact (skeleton = \"contact\")"});
+  return all;
 }
 
 std::vector<EffectChange> affordable(const Scene& scene, std::vector<EffectChange> changes, double budget) {

@@ -32,7 +32,9 @@ std::vector<Influence> influences(const Scene& scene, const PointResult& base, c
     one.tolerance = tolerance_on(scene, outcome);
     one.change = other - outcome.value;
     one.uncertainty = std::abs(mesh - outcome.value);
-    if (std::isnan(outcome.value) || std::isnan(other)) {
+    one.vanishes = std::isnan(other);
+    one.appears = std::isnan(outcome.value);
+    if (one.vanishes || one.appears) {
       one.need = cells == 1 ? Need::needed : Need::undecided;  // an event that happens only with it, or only without it
     } else if (std::isnan(one.uncertainty)) {
       one.need = Need::undecided;

@@ -26,6 +26,15 @@ struct EffectChange {
 /// own.
 std::vector<EffectChange> effect_changes(const Scene& scene);
 
+/// An effect that no setting takes away or adds, and why.
+struct InseparableEffect {
+  std::string effect;
+  bool called_for;
+  std::string why;
+};
+/// Effects that a reader would look for among those tried.
+std::vector<InseparableEffect> inseparable_effects(const Scene& scene);
+
 /// The same, but an effect that is expected to cost more than `budget` CPU seconds is tried on cells twice or four
 /// times as large where that is within it, against the scene on such cells, which is added at the end.
 std::vector<EffectChange> affordable(const Scene& scene, std::vector<EffectChange> changes, double budget);
@@ -38,6 +47,8 @@ struct Influence {
   double uncertainty = 0;  ///< of the change: what the mesh leaves open
   double tolerance = 0;    ///< below which nobody would notice: the scene's gate, or 1 % of the outcome
   Need need = Need::unknown;
+  bool vanishes = false;  ///< an event that happens in the scene as it is only
+  bool appears = false;   ///< one that happens in the changed run only
 };
 /// Needed where |change| - uncertainty > tolerance, not needed where |change| + uncertainty <= tolerance. `changed` and
 /// `base` are on the same cells, `finer` is on finer ones. An event that happens in one of the two only: needed, but
@@ -47,6 +58,10 @@ std::vector<Influence> influences(const Scene& scene, const PointResult& base, c
                                   const PointResult& changed, double cells = 1);
 /// Needed where it is for any outcome; not needed where it is not for all.
 Need overall_need(const std::vector<Influence>& influences);
+
+/// What the scene needs, in plain words.
+std::string effect_sentence(const EffectChange& change, const PointResult& result,
+                            const std::vector<Influence>& influences);
 
 reports::Record effects_page(const Scene& scene, const std::vector<EffectChange>& changes,
                              const std::vector<PointResult>& results, const std::filesystem::path& out);

@@ -39,6 +39,16 @@ const Influence& largest(const std::vector<Influence>& all) {
                                    [](const Influence& one) { return std::isnan(one.change) ? 1e300 : ratio(one); });
 }
 
+/// "-" for what is not there.
+std::string cell(double value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "-";
+}
+
+/// How an event that is there or not stands in the column of changes.
+std::string change_text(const Influence& one) {
+  return one.vanishes ? "no more" : one.appears ? "only then" : cell(one.change, 4);
+}
+
 /// Outcomes as the reader of a sentence wants them: "time of ponding" and not "p > 0.2 kPa at probe base" alone.
 std::string named(const std::string& outcome) {
   return outcome.starts_with("p > ") ? "the time when " + outcome : outcome;
@@ -57,8 +67,13 @@ std::string beside_event(std::vector<Influence> all) {
                      named(most.outcome), most.change, most.unit, tolerances(most));
 }
 
-/// What the scene needs, in plain words.
-std::string sentence(const EffectChange& change, const PointResult& result, const std::vector<Influence>& all) {
+std::string share(double with, double without) {
+  return with > 0 ? fmt::format("{:.1f}", 100 * (with - without) / with) : "-";
+}
+
+}  // namespace
+
+std::string effect_sentence(const EffectChange& change, const PointResult& result, const std::vector<Influence>& all) {
   std::string subject = change.effect;
   subject[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(subject[0])));
   if (!change.by_nature.empty()) return subject + " is needed: " + change.by_nature + ".";
@@ -73,22 +88,18 @@ std::string sentence(const EffectChange& change, const PointResult& result, cons
       subject + (need == Need::needed       ? (change.called_for ? " is needed. " : " is missing. ")
                  : need == Need::not_needed ? (change.called_for ? " could be left out. " : " is not needed. ")
                                             : ": undecided. ");
-  text += std::isnan(most.change)
-              ? fmt::format("{} there is no {} any more, or there is one only then.{}", doing, named(most.outcome),
-                            beside_event(all))
-              : fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing, named(most.outcome),
-                            most.change, most.unit, tolerances(most), all.size() > 1 ? ", other outcomes by less" : "");
+  if (most.vanishes)
+    text += fmt::format("{} there is no {} any more.{}", doing, named(most.outcome), beside_event(all));
+  else if (most.appears)
+    text += fmt::format("{} there is a {}, otherwise none.{}", doing, named(most.outcome), beside_event(all));
+  else
+    text += fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing, named(most.outcome), most.change,
+                        most.unit, tolerances(most), all.size() > 1 ? ", other outcomes by less" : "");
   if (need == Need::undecided && !std::isnan(most.change))
     text += fmt::format(" Finer cells change it by {:.2g} {}.", most.uncertainty, most.unit);
   if (change.cells != 1) text += fmt::format(" (Tried on cells {:g} times as large, for its cost.)", 1 / change.cells);
   return text;
 }
-
-std::string share(double with, double without) {
-  return with > 0 ? fmt::format("{:.1f}", 100 * (with - without) / with) : "-";
-}
-
-}  // namespace
 
 reports::Record effects_page(const Scene& scene, const std::vector<EffectChange>& changes,
                              const std::vector<PointResult>& results, const std::filesystem::path& out) {
@@ -120,13 +131,19 @@ reports::Record effects_page(const Scene& scene, const std::vector<EffectChange>
     summary.rows.push_back({changes[i].effect, called ? "yes" : "no", word(need),
                             part(base.candidate_cpu, results[i].candidate_cpu),
                             part(static_cast<double>(base.point_bytes), static_cast<double>(results[i].point_bytes)),
-                            sentence(changes[i], results[i], all)});
+                            effect_sentence(changes[i], results[i], all)});
     summary.links.push_back(results[i].left_out() ? "" : link_to(out, i, changes[i].point));
     for (const Influence& one : all)
       if (!(std::abs(one.change) < shown_from * one.tolerance))
-        detail.rows.push_back({changes[i].effect, one.outcome, one.unit, fmt::format("{:.4g}", one.change),
-                               fmt::format("{:.2g}", one.uncertainty), fmt::format("{:.3g}", one.tolerance),
-                               word(one.need)});
+        detail.rows.push_back({changes[i].effect, one.outcome, one.unit, change_text(one), cell(one.uncertainty, 2),
+                               cell(one.tolerance, 3), word(one.need)});
+  }
+  for (const InseparableEffect& one : inseparable_effects(scene)) {
+    std::string subject = one.effect;
+    subject[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(subject[0])));
+    summary.rows.push_back({one.effect, one.called_for ? "yes" : "no", "not separable", "-", "-",
+                            subject + " is not separable here, because " + one.why + "."});
+    summary.links.push_back("");
   }
   record.tables.push_back(std::move(summary));
   record.tables.push_back(std::move(detail));
