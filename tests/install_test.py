@@ -3,7 +3,8 @@
 usage: install_test.py BUILD_FOLDER
 
 Checks that the program starts, finds its library in the prefix and not in the build tree, checks and runs an installed
-case; that every relative link of every installed page leads to something that was installed.
+case; that every relative link of every installed page leads to something that was installed, and that every path in
+back quotes in docs/ is one of the source tree.
 """
 
 import pathlib
@@ -15,6 +16,7 @@ import unittest
 import urllib.parse
 
 BUILD = sys.argv[1]
+SOURCE = pathlib.Path(__file__).resolve().parents[1]
 DESK = tempfile.TemporaryDirectory(prefix="wetfront_install_")
 PREFIX = pathlib.Path(DESK.name, "prefix")
 
@@ -49,6 +51,21 @@ class Installed(unittest.TestCase):
                 if "://" not in link and not (page.parent / urllib.parse.unquote(link)).exists():
                     broken.append(f"{page.relative_to(self.share)}: {link}")
         self.assertEqual(broken, [])
+
+    def test_paths_in_back_quotes_exist(self):
+        """`mpm/plan/derive_effects.cpp`, `verification/scene/keys_*.cpp`, `translate/mpm_soil` (a pair of files)."""
+        roots = [SOURCE, SOURCE / "verification", SOURCE / "mpm"]
+        named, missing = 0, []
+        for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]:
+            for path in re.findall(r"`([\w.-]+(?:/[\w.*-]+)+/?)`", page.read_text(encoding="utf-8")):
+                homes = [root for root in roots if (root / path.split("/")[0]).is_dir()]
+                if not homes or path.startswith(("out/", "build/")):
+                    continue  # made by the program, or no path of ours
+                named += 1
+                if not any([*root.glob(path), *root.glob(path + ".*")] for root in homes):
+                    missing.append(f"{page.name}: {path}")
+        self.assertEqual(missing, [])
+        self.assertGreater(named, 12)
 
 
 if __name__ == "__main__":
