@@ -81,14 +81,15 @@ class RealPages(unittest.TestCase):
         scene = folder / "column.toml"
         scene.write_text(text.replace("cells = 40", "cells = 10"), encoding="utf-8")
         self.check(made("vary", "study", "vary", scene, "--set", "rain.intensity=5e-5,7.5e-5", "--jobs", "1"),
-                   ["Verdicts", "Outcomes", "Set-up", "Scene"])
+                   ["Verdicts", "Outcomes", "Scene", "Provenance"])
         self.check(made("accuracy", "study", "accuracy", scene, "--budget", "0.05", "--jobs", "1"),
-                   ["Verdicts", "Error over cost", "Settings", "Scene"])
+                   ["Verdicts", "Settings", "Cost", "Scene"])
 
     def test_a_slope_that_slides(self):
         self.check(made("slope", "run", CASES / "small_slope" / "scene.toml", "--set", "geometry.profile.cells_over=2",
                         "--set", "geometry.profile.cells_along=12"),
-                   ["Motion", "Verdicts", "The slide", "Time series", "Cost", "Effects plan", "Set-up", "Scene"])
+                   ["Motion", "Verdicts", "The slide", "Flux audit", "Energy and momentum", "Cost", "Effects plan",
+                    "Set-up", "Scene"])
         self.assertTrue(self.all(".film .player"))
 
 

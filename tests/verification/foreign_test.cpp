@@ -153,7 +153,6 @@ TEST(Foreign, ARealFileOfTheCbGeoFamily) {
   EXPECT_EQ(data.scalars.at("pressure").size(), 50u);
   EXPECT_NEAR(data.scalars.at("volume")[34], 1e-4, 1e-15);
   EXPECT_EQ(data.scalars.at("id")[1] - data.scalars.at("id")[0], 200) << "every two hundredth was kept";
-  EXPECT_FALSE(data.scalars.contains("status")) << "a boolean is no number";
   EXPECT_THAT(refusal([&] { scalar(data, "presure", path); }), HasSubstr("Did you mean 'pressure'?"));
   EXPECT_EQ(read_points(path, {"coord_y", "coord_x", ""}).position[17][0], data.position[17][1]);
 }

@@ -412,9 +412,8 @@ TEST_F(Study, AccuraciesChooseTheirSettings) {
 
 /// A stored study without a setting that is fine enough is no obstacle: the MPM is refined as if there were none.
 TEST_F(Study, AnAccuracyBeyondTheStudyIsReachedByRefinement) {
-  const std::string scene = WETFRONT_SOURCE_DIR "/verification/cases/seed_column/scene_7.5e-5.toml";
-  wetfront("study accuracy " + scene + " --out acc --point 0");  // ten cells
-  const Output run = wetfront("run " + scene + " --accuracy 0.005 --study acc --out fine");
+  wetfront("study accuracy " + seed + " --out acc --point 0");  // ten cells
+  const Output run = wetfront("run " + seed + " --accuracy 0.001 --study acc --out fine");
   EXPECT_TRUE(run.code == 0 || run.code == 4) << run.text;
   EXPECT_THAT(run.text, HasSubstr("none of the 1 settings studied in acc reaches it"));
   const reports::Record record = reports::read_result(folder / "fine/result.json");
@@ -422,7 +421,7 @@ TEST_F(Study, AnAccuracyBeyondTheStudyIsReachedByRefinement) {
   EXPECT_TRUE(std::ranges::any_of(record.tables, [](const auto& table) {
     return table.title.find("ccuracy") != std::string::npos;
   })) << "the runs that looked for it";
-  const Output other = wetfront("run " + scene + " --accuracy 1e-9 --quantity front_position --study acc --out never");
+  const Output other = wetfront("run " + seed + " --accuracy 1e-9 --quantity front_position --study acc --out never");
   EXPECT_EQ(other.code, 2) << "refinement knows pressure alone";
 }
 
