@@ -27,7 +27,7 @@ SHOWN = [
      "A column that deforms while it takes up rain, against Richards' equation with the skeleton's storage."),
     ("reference_rising_lake/scene.toml", "scene_reference", ["pressure_field", "water_table"],
      "The finite-element reference alone: a lake rises in front of a slope."),
-    ("moriwaki_flume/scene.toml", "moriwaki_flume", ["body_stills", "marker_displacement"],
+    ("moriwaki_flume/scene.toml", "moriwaki_flume", ["body_stills", "pressure_field", "marker_displacement"],
      "The flume of Moriwaki et al. (2004): infiltration, failure, run-out and rest in one run (minutes)."),
     ("moriwaki_flume/fine_contractive.toml", "fine_contractive", ["body_stills", "marker_displacement"],
      "The same flume with sand that shrinks while it shears: it slides three metres, as the experiment did (a quarter of an hour)."),
