@@ -179,6 +179,8 @@ TEST(MotionFigures, ExplainMomentumAndWaterSinceFailure) {
                         &sum = *labelled(*figure("momentum_x"), "sum");
   for (std::size_t k = 0; k < gained.y.size(); ++k) EXPECT_NEAR(gained.y[k], sum.y[k], 1e-12);
   EXPECT_NEAR(gained.y.back(), 8, 1e-12);
+  EXPECT_NEAR(labelled(*figure("momentum_x"), "impulse of weight")->y.back(), 12, 1e-12);
+  EXPECT_NEAR(labelled(*figure("momentum_x"), "impulse of walls")->y.back(), -4, 1e-12);
   const reports::Series &stored = *labelled(*figure("water_of_slide"), "stored"),
                         &balance = *labelled(*figure("water_of_slide"), "taken in less");
   EXPECT_NEAR(stored.y.back(), 1000, 1e-9);
