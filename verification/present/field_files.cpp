@@ -11,13 +11,19 @@ std::vector<double> flattened(const std::vector<meshes::Point>& points) {
   return flat;
 }
 
-reports::FieldFile grid_file(const meshes::FieldHistory& history, const meshes::Snapshot& snapshot,
-                             const std::string& stem) {
+reports::FieldFile file_at(const meshes::FieldHistory& history, const meshes::Snapshot& snapshot,
+                           const std::string& stem, const std::vector<meshes::Point>& places) {
   reports::FieldFile file;
-  file.stem = stem + "_grid";
+  file.stem = stem;
   file.time = snapshot.time;
   file.dim = history.mesh.dim;
-  file.nodes = flattened(history.mesh.nodes);
+  file.nodes = flattened(places);
+  return file;
+}
+
+reports::FieldFile grid_file(const meshes::FieldHistory& history, const meshes::Snapshot& snapshot,
+                             const std::string& stem) {
+  reports::FieldFile file = file_at(history, snapshot, stem + "_grid", history.mesh.nodes);
   file.cells = history.mesh.cells;
   const auto add = [&](const char* name, bool per_cell, int components, const std::vector<double>& values) {
     if (!values.empty()) file.fields.push_back({name, per_cell, components, values});
@@ -32,11 +38,7 @@ reports::FieldFile grid_file(const meshes::FieldHistory& history, const meshes::
 
 reports::FieldFile points_file(const meshes::FieldHistory& history, const meshes::Snapshot& snapshot,
                                const std::string& stem) {
-  reports::FieldFile file;
-  file.stem = stem + "_points";
-  file.time = snapshot.time;
-  file.dim = history.mesh.dim;
-  file.nodes = flattened(snapshot.points.position);
+  reports::FieldFile file = file_at(history, snapshot, stem + "_points", snapshot.points.position);
   const auto add = [&](const char* name, const std::vector<double>& values) {
     if (!values.empty()) file.fields.push_back({name, false, 1, values});
   };

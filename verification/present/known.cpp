@@ -60,8 +60,7 @@ std::string more_or_less(const std::string& quantity, bool more) {
 
 /// "11 times less than measured", "12 % more than published", "as measured".
 std::string against(const Observation& known, const Told& by, double here) {
-  const auto band =
-      number_in_words(by.source == Source::measured ? known.measured : known.simulated, unit_of_known(known.quantity));
+  const auto band = known_value(known, by.source);
   if (!band) return "";
   const double off = relative_distance(here, *band);
   if (off < 0.005) return std::string("as ") + by.name;

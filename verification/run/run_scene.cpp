@@ -114,6 +114,13 @@ void add_body(reports::Record& record, const Prepared& prepared, const Solved& c
   record.tables.insert(record.tables.begin(), tables.begin(), tables.end());
 }
 
+/// What the run itself must hold, with a reference or without.
+std::vector<Measurement> measure_run(const Scene& scene, const Solved& candidate) {
+  std::vector<Measurement> measurements = measure_motion(candidate.history, failure_time(candidate.body));
+  for (Measurement& own : missed_events(scene, candidate.body)) measurements.push_back(std::move(own));
+  return measurements;
+}
+
 /// What is painted is the ground: the empty cells above it have pressures, of nothing.
 meshes::FieldHistory without_room(const Scene& scene, const meshes::FieldHistory& history) {
   return room(scene) > 0 ? on_ground(history, reference_mesh(scene, own_cells_over(scene), 0)) : history;
@@ -136,8 +143,7 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   std::optional<Histories> cut;  // five histories: copied only where there is something to cut
   if (std::isfinite(failure)) cut = cut_at(histories, failure);
   auto measurements = measure(prepared.scene, window, cut ? *cut : histories);
-  for (Measurement& own : measure_motion(result.candidate.history, failure)) measurements.push_back(std::move(own));
-  for (Measurement& own : missed_events(prepared.scene, result.candidate.body)) measurements.push_back(std::move(own));
+  for (Measurement& own : measure_run(prepared.scene, result.candidate)) measurements.push_back(std::move(own));
   record.findings = judge(prepared.scene, window, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
   WorstPoints worst = worst_points(record.findings, measurements, cut ? *cut : histories);
@@ -162,8 +168,7 @@ void judge_alone(reports::Record& record, const Prepared& prepared, const Solved
   const meshes::FieldHistory& history = candidate.history;
   const double failure = failure_time(candidate.body);
   const Timeline window = cut_at(prepared.timeline, failure);
-  auto measurements = measure_motion(history, failure);
-  for (Measurement& own : missed_events(prepared.scene, candidate.body)) measurements.push_back(std::move(own));
+  auto measurements = measure_run(prepared.scene, candidate);
   if (history.ledger.size() > 1)
     measurements.push_back({"water_balance",
                             "water balance",

@@ -41,10 +41,14 @@ std::optional<Band> number_in_words(const std::string& said, const std::string& 
   return band;
 }
 
+std::optional<Band> known_value(const Observation& known, Source source) {
+  return number_in_words(source == Source::measured ? known.measured : known.simulated, unit_of_known(known.quantity));
+}
+
 std::optional<Band> known_value(const Scene& scene, const std::string& quantity, Source source) {
   const auto known = std::ranges::find(scene.observations, quantity, &Observation::quantity);
   if (known == scene.observations.end()) return {};
-  return number_in_words(source == Source::measured ? known->measured : known->simulated, unit_of_known(quantity));
+  return known_value(*known, source);
 }
 
 double relative_distance(double value, const Band& known) {

@@ -21,6 +21,7 @@ std::optional<Band> number_in_words(const std::string& said, const std::string& 
 
 /// What a scene's [[observed]] row of that quantity says of the experiment, or of the published simulation.
 enum class Source { measured, simulated };
+std::optional<Band> known_value(const Observation& known, Source source);
 std::optional<Band> known_value(const Scene& scene, const std::string& quantity, Source source);
 
 /// |value - known| / known, from the nearer end of what is known; 0 within.
