@@ -6,6 +6,7 @@
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/scene/units.h"
+#include "verification/study/rainfall_page.h"
 #include "verification/translate/initial_pressure.h"
 #include "verification/translate/scene_mesh.h"
 
@@ -88,6 +89,7 @@ struct Abscissa {
   std::size_t variation;
   std::string label, unit;
   double scale = 1;
+  double conductivity = 0;  ///< k_s [m/s] that rain is told by; 0: it is not
 };
 
 /// Rain on one soil is told by its conductivity: what the ground takes decides, not the millimetres.
@@ -99,7 +101,7 @@ void tell_by_conductivity(const Scene& scene, Abscissa& rain) {
   if (!std::holds_alternative<double>(one) || !(gravity > 0)) return;
   const double conductivity =
       scene.soils[0].intrinsic_permeability * scene.water->density * gravity / scene.water->viscosity;
-  rain = {rain.variation, rain.label + " / k_s", "1", std::get<double>(one) / conductivity};
+  rain = {rain.variation, rain.label + " / k_s", "1", std::get<double>(one) / conductivity, conductivity};
 }
 
 std::optional<Abscissa> abscissa(const std::vector<Variation>& variations, const Scene& scene) {
@@ -171,6 +173,17 @@ bool varies(const Figure& figure) {
   return high - low > 1e-3 * std::max(std::abs(low), std::abs(high));
 }
 
+/// Rain alone is varied, on a slope that is followed as it slides: its outcomes belong together.
+void add_rain(reports::Record& record, const Abscissa& along, const std::vector<StudyPoint>& points,
+              const std::vector<PointResult>& results) {
+  std::vector<RainOutcome> rain;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!results[i].candidate.empty())
+      rain.push_back(
+          {along.scale * number_in(points[i].settings[along.variation].value), along.conductivity, &results[i]});
+  tell_rain(record, std::move(rain));
+}
+
 }  // namespace
 
 std::string verdict_of(const PointResult& result) {
@@ -205,12 +218,16 @@ reports::Record vary_page(const Scene& scene, const std::vector<Variation>& vari
   const std::vector<StudyPoint> points = product(variations);
   record.tables.push_back(points_table(variations, results, points, out));
   record.tables.push_back(outcomes_table(results));
-  if (const auto along = abscissa(variations, scene))
-    for (const Outcome& about : list_of_outcomes(results)) {
-      if (told_the_other_way(about)) continue;
-      Figure figure = figure_of(about, *along, variations, points, results);
-      if (varies(figure)) record.figures.push_back(std::move(figure));
-    }
+  const auto along = abscissa(variations, scene);
+  if (!along) return record;
+  const auto varied = [](const Variation& one) { return one.values.size() > 1; };
+  const bool rain = std::ranges::count_if(variations, varied) == 1 && along->conductivity > 0 && follows_a_body(scene);
+  for (const Outcome& about : list_of_outcomes(results)) {
+    if (told_the_other_way(about) || (rain && told_with_rain(about))) continue;
+    Figure figure = figure_of(about, *along, variations, points, results);
+    if (varies(figure)) record.figures.push_back(std::move(figure));
+  }
+  if (rain) add_rain(record, *along, points, results);
   return record;
 }
 
