@@ -7,7 +7,7 @@ SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml)) verification
 FOREIGN := verification/cases/foreign_infiltration
 SUITES := reference hydraulics hard mechanics
 
-.PHONY: report test bench build program deps format clean
+.PHONY: report test bench build program docs deps format clean
 
 report: program  ## the main job: both solvers judged by their suites, then the scenes compared -> out/index.html
 	status=0; \
@@ -28,6 +28,9 @@ build: $(BUILD)/build.ninja  ## the program and its tests
 
 program: $(BUILD)/build.ninja  ## the program alone -> build/release/wetfront
 	cmake --build $(BUILD) --target wetfront
+
+docs: $(BUILD)/build.ninja  ## the documentation as pages -> build/release/docs/index.html
+	cmake --build $(BUILD) --target docs
 
 $(BUILD)/build.ninja: | deps
 	cmake --preset release

@@ -1,4 +1,5 @@
-// Adds to the static figures what a script can: the nearest value under the pointer, and zoom by dragging.
+// Adds to the static figures what a script can: the nearest value under the pointer, zoom by dragging, and axes that
+// change between linear and logarithmic.
 // Without it every figure is still complete. The drawing's geometry and the data come with each figure as JSON.
 "use strict";
 (() => {
@@ -30,6 +31,9 @@
   };
 
   const ticks = (axis) => {
+    const decades = [];
+    if (axis.log) for (let e = Math.ceil(Math.log10(axis.from) - 1e-9); 10 ** e <= axis.to * (1 + 1e-9); e++) decades.push(Number((10 ** e).toPrecision(1)));
+    if (decades.length > 1) return decades.filter((_, i) => i % Math.ceil(decades.length / 8) === 0);
     const span = axis.to - axis.from, raw = span / 5, power = 10 ** Math.floor(Math.log10(raw)), m = raw / power;
     const step = power * (m < 1.5 ? 1 : m < 3.5 ? 2 : m < 7.5 ? 5 : 10), list = [];
     for (let i = Math.ceil(axis.from / step); i * step <= axis.to; i++) list.push(Number((i * step).toPrecision(12)));
@@ -49,6 +53,43 @@
       this.svg.addEventListener("pointerdown", (e) => this.press(e));
       this.svg.addEventListener("pointerup", (e) => this.release(e));
       this.svg.addEventListener("dblclick", () => this.reset());
+      this.kinds = ["x", "y"].map((a) => this.kindButton(a)).filter((button) => button);
+    }
+
+    // Where values span a decade, or the axis is logarithmic already, one may choose its kind.
+    kindButton(a) {
+      const [from, to] = this.range(a, true), row = this.figure.querySelector(".files");
+      if (!row || !(to / from >= 10)) return null;
+      const button = document.createElement("button");
+      button.className = "kind";
+      button.dataset.axis = a;
+      button.addEventListener("click", () => this.changeKind(a));
+      this.name(button, this.data[a].log);
+      row.append(button);
+      return button;
+    }
+
+    name(button, log) {
+      button.textContent = `${button.dataset.axis}: ${log ? "log" : "linear"}`;
+      button.title = `show a ${log ? "linear" : "logarithmic"} axis`;
+    }
+
+    // Of what is drawn: all of it, or what a logarithm has.
+    range(a, positive) {
+      const values = this.data.series.flatMap((s) => s[a]).filter((v) => v !== null && (!positive || v > 0));
+      return [values.reduce((u, v) => Math.min(u, v), Infinity), values.reduce((u, v) => Math.max(u, v), -Infinity)];
+    }
+
+    changeKind(a) {
+      const now = a === "x" ? this.x : this.y, log = !now.log, [from, to] = this.range(a, log);
+      const own = this.data[a], margin = 0.03;
+      const wide = log ? [from / (to / from) ** margin, to * (to / from) ** margin] : [from - margin * (to - from), to + margin * (to - from)];
+      const axis = own.log === log ? own : {...own, log, from: wide[0], to: wide[1]};
+      this.clear();
+      this.view(a === "x" ? axis : this.x, a === "y" ? axis : this.y);
+      if (this.x === this.data.x && this.y === this.data.y) return this.reset();
+      this.redraw();
+      this.name(this.kinds.find((button) => button.dataset.axis === a), log);
     }
 
     view(x, y) {
@@ -140,6 +181,7 @@
       if (this.zoomed) this.zoomed.remove();
       if (this.button) this.button.remove();
       this.zoomed = this.button = null;
+      for (const button of this.kinds || []) this.name(button, this.data[button.dataset.axis].log);
       if (this.own && this.own !== this.data && this.data.x.unit + this.data.y.unit !== this.own.x.unit + this.own.y.unit)
         this.redraw();
     }

@@ -181,6 +181,36 @@ class WithJavaScript(Page, unittest.TestCase):
         self.assertEqual(self.all(".zoomed"), [])
         self.assertEqual(self.chromium.get_log("browser"), [])
 
+    def test_an_axis_changes_its_kind(self):
+        button = self.only("#figure-error_over_cost .kind[data-axis=x]")
+        self.assertEqual(button.text, "x: log")
+        self.chromium.execute_script("arguments[0].scrollIntoView({block: 'center'})", button)
+        for script in self.all("figure > script"):  # within a decade there is nothing to choose
+            text = script.get_attribute("textContent")
+            if not text.startswith('{"box"'):  # a film's
+                continue
+            figure = json.loads(text)
+            for axis in "xy":
+                values = [v for s in figure["series"] for v in s[axis] if v is not None and v > 0]
+                chosen = script.find_elements("xpath", f"../p/button[@data-axis='{axis}']")
+                if values:
+                    self.assertEqual(len(chosen), int(max(values) / min(values) >= 10))
+        button.click()
+        self.assertEqual(button.text, "x: linear")
+        data = json.loads(self.only("#figure-error_over_cost script").get_attribute("textContent"))
+        series = max(data["series"], key=lambda s: len(s["x"]))
+        marks = [m.rect["x"] for m in self.all("#figure-error_over_cost .zoomed use")]
+        points = [x for s in data["series"] if s["style"] == "points" for x in s["x"]]
+        if points:  # equal steps in x are equal steps on the page
+            self.assertEqual(len(marks), len(points))
+            slope = (max(marks) - min(marks)) / (max(points) - min(points))
+            for x, mark in zip(points, marks):
+                self.assertAlmostEqual(mark, min(marks) + slope * (x - min(points)), delta=1)
+        button.click()
+        self.assertEqual(button.text, "x: log")
+        self.assertEqual(self.all(".zoomed"), [], "as drawn")
+        self.assertEqual(self.chromium.get_log("browser"), [])
+
     def test_the_index_leads_to_the_reports(self):
         self.open(PAGES / "index.html")
         self.assertTrue(self.only(".matrix").is_displayed())

@@ -48,6 +48,9 @@ TEST(KnownValues, ASentenceTellsThem) {
             "here 20 % later than measured; on the second mesh it did not happen");
   EXPECT_EQ(in_a_sentence(failure, &never, &late), "it did not happen here");
   EXPECT_EQ(difference_of_meshes(&late, &never), "-");
+  const Observation interval{"interval:G-9:G-5", "about 1000 s", "", "", {}};
+  const Outcome turned{"interval:G-9:G-5", "", "s", -23.5};
+  EXPECT_EQ(in_a_sentence(interval, &turned, nullptr), "here in the other order than measured");
   const Outcome right{"failure_time", "", "s", 9270};
   EXPECT_EQ(in_a_sentence(failure, &right, nullptr), "here as measured");
 }

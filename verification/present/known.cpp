@@ -64,6 +64,7 @@ std::string against(const Observation& known, const Told& by, double here) {
   if (!band) return "";
   const double off = relative_distance(here, *band);
   if (off < 0.005) return std::string("as ") + by.name;
+  if (here * band->low < 0) return std::string("in the other order than ") + by.name;  // of two probes
   const bool more = here > band->high;
   const std::string than = more_or_less(known.quantity, more) + " than " + by.name;
   const double times = more ? here / band->high : band->low / here;
