@@ -1,5 +1,6 @@
 /// Every scene in verification/cases and the template of `wetfront new` read without complaint.
 #include "verification/scene/read.h"
+#include "verification/scene/scene_template.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -32,14 +33,16 @@ TEST(Template, ReadsWhateverItsName) {
   for (const std::string name : {"my slope", "a \"quoted\" \\ name", "", "line\nbreak"}) {
     const auto path =
         std::filesystem::path(testing::TempDir()) / ("wetfront_template_" + std::to_string(getpid()) + ".toml");
-    std::ofstream(path) << scene_template(name);
-    try {
-      const Scene scene = read_scene(path);
-      if (name.find("quoted") != std::string::npos) {
-        EXPECT_EQ(scene.title, name);
+    for (const std::string& text : {scene_template(name), slide_template(name)}) {
+      std::ofstream(path) << text;
+      try {
+        const Scene scene = read_scene(path);
+        if (name.find("quoted") != std::string::npos) {
+          EXPECT_EQ(scene.title, name);
+        }
+      } catch (const SceneError& error) {
+        ADD_FAILURE() << error.what();
       }
-    } catch (const SceneError& error) {
-      ADD_FAILURE() << error.what();
     }
     std::filesystem::remove(path);
   }

@@ -1,5 +1,6 @@
 /// Random damage to a valid scene: whatever comes out is a Scene or a SceneError, never a crash or another exception.
 #include "verification/scene/read.h"
+#include "verification/scene/scene_template.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -75,6 +76,7 @@ int refusals(const std::string& sound, int times) {
 
 TEST(Fuzz, DamagedScenesAreReadOrRefused) {
   EXPECT_GT(refusals(scene_template("fuzz"), 3000), 1000);  // the damage is real
+  EXPECT_GT(refusals(slide_template("fuzz"), 600), 200);
 }
 
 TEST(Fuzz, DamagedScenesOfTheReferenceToo) {

@@ -183,6 +183,16 @@ TEST_F(CommandLine, ANewSceneChecksAndExplains) {
   EXPECT_EQ(wetfront("new my_slope").code, 2);  // never overwritten
 }
 
+/// The scene that a user's own slope begins from slides and comes to rest as it is; here on large cells.
+TEST_F(CommandLine, ANewSlopeSlides) {
+  EXPECT_EQ(wetfront("new hill --slide").code, 0);
+  const Output run = wetfront(
+      "run hill.toml --set geometry.profile.cells_along=24 --set geometry.profile.cells_over=3 "
+      "--set reference.cells=3 --set tolerance[pressure_l2].value=\"30 %\" --set comparison.second_mesh=none");
+  EXPECT_EQ(run.code, 0) << run.text;
+  EXPECT_THAT(run.text, HasSubstr("PASS          events (failure, rest) that did not come in their time: 0 %"));
+}
+
 TEST_F(CommandLine, ReferenceReportsItsOwnError) {
   const Output output = wetfront("reference " + cases + "seed_column/scene_3e-5_smin0.87.toml");
   EXPECT_EQ(output.code, 0) << output.text;

@@ -34,7 +34,7 @@ int report(const std::filesystem::path& folder);
 /// Another code's stored result, declared in a file, against the reference of a scene.
 int compare(const std::filesystem::path& scene, const std::filesystem::path& declaration,
             const std::filesystem::path& out, const ReferenceStore& store);
-int new_scene(const std::string& name);
+int new_scene(const std::string& name, bool slide);
 int schema(bool as_page);
 /// A suite of cases: one page per case, one index. `heavy`: also what takes long; `only`: cases whose name contains it
 /// (empty: all). Throws std::invalid_argument for a suite that is not there.

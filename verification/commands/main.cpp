@@ -43,7 +43,7 @@ struct Arguments {
   commands::Paths scenes;
   std::filesystem::path scene, folder, out, declaration;
   std::string name, suite, only, accuracy;
-  bool resume = false, page = false, no_store = false, heavy = false;
+  bool resume = false, page = false, slide = false, no_store = false, heavy = false;
   wetfront::verification::ReferenceStore store{"out/.references"};
 };
 
@@ -238,9 +238,10 @@ int main(int argc, char** argv) {
           [&] { return commands::report(arguments.folder); });
   report->add_option("DIR", arguments.folder, "folder with a result.json, or with folders that have one")->required();
 
-  auto* fresh =
-      add("new", "write a commented scene to start from", [&] { return commands::new_scene(arguments.name); });
+  auto* fresh = add("new", "write a commented scene to start from",
+                    [&] { return commands::new_scene(arguments.name, arguments.slide); });
   fresh->add_option("NAME", arguments.name, "file to write, e.g. my_slope.toml")->required();
+  fresh->add_flag("--slide", arguments.slide, "a slope from the first rain to the end of its slide, not a column");
 
   auto* schema = add("schema", "print the JSON Schema of a scene", [&] { return commands::schema(arguments.page); });
   schema->add_flag("--page", arguments.page, "print the key reference as Markdown instead");

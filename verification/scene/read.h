@@ -28,7 +28,4 @@ std::string scene_schema();
 /// The same table as a Markdown reference page: key, unit, default, meaning.
 std::string scene_reference_page();
 
-/// A commented scene to start from (`wetfront new NAME`).
-std::string scene_template(const std::string& name);
-
 }  // namespace wetfront::verification

@@ -1,6 +1,4 @@
-#include "verification/scene/read.h"
-
-#include <string>
+#include "verification/scene/scene_template.h"
 
 namespace wetfront::verification {
 namespace {
@@ -90,9 +88,13 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string scene_template(const std::string& name) {
+std::string headed_template(const std::string& name) {
   return "# What this scene is and where its numbers come from (paper and section).\n\ntitle = " +
-         quoted(name.empty() ? "New scene" : name) + body;
+         quoted(name.empty() ? "New scene" : name);
+}
+
+std::string scene_template(const std::string& name) {
+  return headed_template(name) + body;
 }
 
 }  // namespace wetfront::verification
