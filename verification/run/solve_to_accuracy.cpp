@@ -22,7 +22,9 @@ constexpr double share_of_time = 0.25;
 
 /// Largest relative L2 difference of pressure over the snapshots that both reached, in the cells of `coarse`.
 double change_between(const meshes::FieldHistory& coarse, const meshes::FieldHistory& fine) {
-  const auto of_coarse = cell_profiles(coarse), of_fine = profiles_at_cells(fine, coarse);
+  const bool one_mesh = coarse.mesh.cells.size() == fine.mesh.cells.size();
+  const auto of_coarse = cell_profiles(coarse),
+             of_fine = one_mesh ? cell_profiles(fine) : profiles_at_cells(fine, coarse);
   const auto weight = cell_weights(coarse.mesh, fine.mesh);
   double largest = 0;
   for (std::size_t t = 0; t < std::min(of_coarse.size(), of_fine.size()); ++t)
@@ -92,6 +94,10 @@ class Search {
     for (int i = 0; controlled && i < most_tightenings && sound(); ++i) {
       for (Stage& stage : cells_.stages) stage.time_tolerance /= 10;
       Attempt next = attempt(cells_, halvings_);
+      if (!next.solved.gave_up.empty()) {  // the run that there is stands, of an error in time that is not known
+        best_.estimate = std::numeric_limits<double>::infinity();
+        break;
+      }
       const bool settled = next.change <= share_of_time * accuracy_;
       best_.estimate += settled ? next.change : 0;
       if (settled) break;
