@@ -75,8 +75,11 @@ std::string extent_text(const Extent& extent) {
 
 std::string start_text(const InitialState& initial) {
   const auto hydrostatic = [](const HydrostaticStart& start) {
-    std::string text = fmt::format("hydrostatic over a water table at {:g} m{}", start.water_table,
-                                   start.over_base ? " above the base" : "");
+    std::string text = !start.line.x.empty()
+                           ? fmt::format("hydrostatic over a water table along a line from {:g} m to {:g} m",
+                                         start.line.y.front(), start.line.y.back())
+                           : fmt::format("hydrostatic over a water table at {:g} m{}", start.water_table,
+                                         start.over_base ? " above the base" : "");
     if (std::isfinite(start.suction_cap)) text += fmt::format(", suction capped at {:g} kPa", start.suction_cap / 1e3);
     return text;
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "meshes/rain_record.h"
+#include "verification/scene/geometry.h"
 #include "verification/scene/origin.h"
 #include "verification/scene/place_table.h"
 #include "verification/scene/skeleton.h"
@@ -20,8 +21,9 @@ namespace wetfront::verification {
 struct HydrostaticStart {
   double water_table;  ///< elevation, or height above the base, m
   double suction_cap;  ///< Pa; infinity: none
-  /// The water table runs parallel to the lower end of the ground, that high above it; else it is level.
+  /// The water table runs parallel to the lower end of the ground, that high above it; else it is level, or `line`.
   bool over_base = false;
+  Polyline line{};  ///< elevation over x, in place of `water_table`; empty: none
 };
 struct UniformStart {
   double pressure;  ///< Pa

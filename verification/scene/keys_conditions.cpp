@@ -19,7 +19,7 @@ std::vector<Key> condition_keys() {
     {"initial", "run", Takes::table, "", optional, "", "the reference's field of a former run", R"({ folder = "../out/wet_season", time = "30 d" })"},
     {"initial", "csv", Takes::path, "", optional, "", "file with the header `x [m], y [m], pressure [kPa]` (in space also z, after y) or `elevation [m], pressure [kPa]`: bilinear on a grid of places, else the nearest place counts", "start.csv"},
     {"initial", "vtu", Takes::path, "", optional, "", "a field file that a former run has left", "../out/wet_season/fields/reference_grid_0002.vtu"},
-    {"initial.hydrostatic", "water_table", Takes::quantity, "m", required, "", "elevation of the water table (see from)", "0 m", {"-100 km", "100 km"}},
+    {"initial.hydrostatic", "water_table", Takes::level, "m", required, "", "elevation of the water table (see from); in a section also a line, x ascending: straight between its points, level beyond them, pressures hydrostatic along the vertical", "0 m", {"-100 km", "100 km"}, {}, "", {}, {{"x", "m"}, {"y", "m"}}},
     {"initial.hydrostatic", "from", Takes::choice, "", optional, "datum", "what water_table is measured from: elevation zero, or the lower end of the ground below each place, which a thin wet layer over a steep base comes nearer to", "base", {}, {"datum", "base"}},
     {"initial.hydrostatic", "suction_cap", Takes::quantity, pa, optional, "", "no suction above this one; no cap when absent", "10 kPa", {"0 Pa", "10 GPa"}},
     {"initial.steady", "rain", Takes::quantity, "m/s", required, "", "its intensity per horizontal area", "1 mm/h", {"0 m/s", "0.1 m/s"}},

@@ -12,9 +12,9 @@
 namespace wetfront::verification {
 namespace {
 
-HydrostaticStart read_hydrostatic(SectionReader& table) {
+HydrostaticStart read_hydrostatic(SectionReader& table, double water_table) {
   const double cap = table.quantity("suction_cap");
-  return {table.quantity("water_table"), table.has("suction_cap") ? cap : std::numeric_limits<double>::infinity()};
+  return {water_table, table.has("suction_cap") ? cap : std::numeric_limits<double>::infinity()};
 }
 
 ProfileStart read_profile_start(SectionReader& section, const Reading& reading) {
@@ -59,7 +59,7 @@ SpinUpStart read_spin_up(SectionReader& table, Reading& reading) {
   if (const std::string file = table.text("csv"); !file.empty())
     start.rain = read_rain_csv(reading.folder() / file, table.place_of("csv"), reading.complaints);
   start.duration = table.quantity("duration");
-  start.from = read_hydrostatic(table);
+  start.from = read_hydrostatic(table, table.quantity("water_table"));
   if (!start.rain.start.empty() && start.rain.start.back() >= start.duration)
     table.complain("duration", {table.shown("duration") + " ends before the record does",
                                 fmt::format("its last row is at {:g} s", start.rain.start.back()),
@@ -145,16 +145,50 @@ void need_reference(SectionReader& section, const std::string& key, const Readin
     section.complain(key, {key + " needs [reference]", "the reference solver computes this start", "Add [reference]."});
 }
 
+/// Why a water table cannot be a line in this scene; "" where it can.
+std::string why_no_line(const Scene& scene) {
+  if (std::holds_alternative<Column>(scene.geometry.shape)) return "a column has no x to follow";
+  if (scene.geometry.dim() == 3 || scene.gravity[2] != 0) return "in space it would have to be a surface";
+  return scene.gravity[0] != 0 ? "gravity is not along y, so x is not level" : "";
+}
+
+Polyline read_table_line(SectionReader& table, const Reading& reading) {
+  if (const std::string why_not = why_no_line(reading.scene); !why_not.empty()) {
+    table.complain("water_table",
+                   {"the water table is a line over x", why_not, "Write one elevation: water_table = \"0 m\"."});
+    return {};
+  }
+  Rows rows = read_pairs(table, "water_table", reading.folder());
+  check_ascending(rows, 0, true, "the x of water_table");
+  if (rows.size() == 1)
+    rows.complain(0, {"water_table is a single point", "a line needs two",
+                      "Add where it ends, or write one elevation: water_table = \"0 m\"."});
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (const std::string missed = table.range_missed("water_table", rows.column[1][i]); !missed.empty())
+      rows.complain(i, {"the y of water_table is out of range", "it must be " + missed,
+                        "Check the sign, the unit and the exponent."});
+  return rows.size() < 2 ? Polyline{} : Polyline{rows.column[0], rows.column[1]};
+}
+
+HydrostaticStart read_hydrostatic_start(SectionReader& table, const Reading& reading) {
+  const bool line = takes_rows(table, "water_table");
+  HydrostaticStart start = read_hydrostatic(table, line ? std::nan("") : table.quantity("water_table"));
+  if (line) start.line = read_table_line(table, reading);
+  start.over_base = table.choice("from") == "base";
+  const Shape& shape = reading.scene.geometry.shape;
+  if (start.over_base && line)
+    table.complain("from", {"the water table is a line and follows the base", "a line says its elevations itself",
+                            "Leave from out, or give one height above the base."});
+  else if (start.over_base && !std::holds_alternative<GroundProfile>(shape) && !std::holds_alternative<Slope>(shape))
+    table.complain("from", {"the water table follows the base", "only a profile and a slope have one to follow",
+                            "Leave from out and give the elevation."});
+  return start;
+}
+
 /// Which of the ways to say it the scene takes.
 void read_state(SectionReader& section, Reading& reading, InitialState& state) {
   if (auto table = section.table("hydrostatic")) {
-    HydrostaticStart start = read_hydrostatic(*table);
-    start.over_base = table->choice("from") == "base";
-    const Shape& shape = reading.scene.geometry.shape;
-    if (start.over_base && !std::holds_alternative<GroundProfile>(shape) && !std::holds_alternative<Slope>(shape))
-      table->complain("from", {"the water table follows the base", "only a profile and a slope have one to follow",
-                               "Leave from out and give the elevation."});
-    state.pressure = start;
+    state.pressure = read_hydrostatic_start(*table, reading);
     table->finish();
   }
   if (section.has("uniform")) state.pressure = UniformStart{section.quantity("uniform")};

@@ -36,6 +36,7 @@ std::string takes(const Key& key) {
     case Takes::series:
       return "list of [time, rain intensity]";
     case Takes::record:
+    case Takes::level:
       return dimension(key.unit) + "; or a list of " + row_of(key) + "; or a CSV file `" + csv_header(key.columns) +
              "`";
     case Takes::pairs:

@@ -69,6 +69,7 @@ Json value_schema(const Key& key) {
           {"items",
            {{"type", "array"}, {"prefixItems", {quantity("s"), quantity("m/s")}}, {"minItems", 2}, {"maxItems", 2}}}};
     case Takes::record:
+    case Takes::level:
       return {{"anyOf", {quantity(key.unit), text(), rows(key)}}};
     case Takes::pairs:
       return {{"anyOf", {text(), rows(key)}}};
@@ -93,7 +94,8 @@ Json value_schema(const Key& key) {
 
 std::string description(const Key& key) {
   std::string text = key.meaning;
-  if (key.takes == Takes::quantity && key.unit != "1") text += " (" + dimension(key.unit) + ")";
+  if ((key.takes == Takes::quantity || key.takes == Takes::level) && key.unit != "1")
+    text += " (" + dimension(key.unit) + ")";
   if (!key.range.from.empty()) text += "; " + bounds(key.range);
   if (!key.with_key.empty()) text += "; only with " + key.with_key + " = " + alternatives(key.with_choices);
   return text;

@@ -69,9 +69,14 @@ Rows read_pairs(SectionReader& reader, const std::string& name, const std::files
   return rows;
 }
 
+bool takes_rows(SectionReader& reader, const std::string& name) {
+  const Value* written = reader.has(name) ? reader.raw(name) : nullptr;
+  return written && (written->kind == Value::Kind::array || names_a_file(*written));
+}
+
 Rows read_record(SectionReader& reader, const std::string& name, const std::filesystem::path& folder) {
   const Value* written = reader.raw(name);
-  if (written && written->kind != Value::Kind::array && !names_a_file(*written)) {
+  if (written && !takes_rows(reader, name)) {
     Rows rows;
     rows.complaints_ = &reader.complaints();
     rows.place_ = {written->place};

@@ -32,6 +32,9 @@ Rows read_pairs(SectionReader& reader, const std::string& name, const std::files
 /// to the key's range, times ascend from 0 on.
 Rows read_record(SectionReader& reader, const std::string& name, const std::filesystem::path& folder);
 
+/// Whether rows are written, a list or the name of a CSV file, where one quantity would do as well.
+bool takes_rows(SectionReader& reader, const std::string& name);
+
 /// Complains where column `c` falls from one row to the next, or (`strictly`) stays.
 void check_ascending(Rows& rows, std::size_t c, bool strictly, const std::string& what);
 

@@ -85,10 +85,11 @@ std::string SectionReader::range_missed(const std::string& name, double value) c
 bool SectionReader::in_range(const Key& wanted, double value, const Value& written) {
   const std::string missed = range_missed(wanted.name, value);
   if (!missed.empty())
-    complaints_->add(written.place, {wanted.name + " = " + written.shown() + " is out of range", "it must be " + missed,
-                                     wanted.takes == Takes::quantity && wanted.unit != "1"
-                                         ? "Check the sign, the unit and the exponent."
-                                         : "Write it as in " + assignment(wanted)});
+    complaints_->add(written.place,
+                     {wanted.name + " = " + written.shown() + " is out of range", "it must be " + missed,
+                      (wanted.takes == Takes::quantity || wanted.takes == Takes::level) && wanted.unit != "1"
+                          ? "Check the sign, the unit and the exponent."
+                          : "Write it as in " + assignment(wanted)});
   return missed.empty();
 }
 

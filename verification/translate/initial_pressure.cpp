@@ -59,7 +59,9 @@ bool start_is_computed(const Scene& scene) {
 Pressures hydrostatic_pressure(const Scene& scene, const HydrostaticStart& start, const meshes::Mesh& mesh) {
   const double unit_weight = scene.water->density * gravity_magnitude(scene);
   return at_nodes(mesh, [&](const meshes::Point& node) {
-    const double table = start.water_table + (start.over_base ? base_at(scene.geometry, node[0]) : 0);
+    const double table = !start.line.x.empty()
+                             ? start.line.at(node[0])
+                             : start.water_table + (start.over_base ? base_at(scene.geometry, node[0]) : 0);
     return std::max(unit_weight * (table - elevation(scene, node, mesh.dim)), -start.suction_cap);
   });
 }
