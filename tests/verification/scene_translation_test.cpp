@@ -3,6 +3,7 @@
 #include "verification/present/contours.h"
 #include "verification/present/field_files.h"
 #include "verification/present/plan_text.h"
+#include "verification/run/provenance.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/former_field.h"
@@ -271,6 +272,10 @@ TEST(SceneRecord, SaysHowManyThreadsTheKernelsHad) {
   EXPECT_EQ(record_of(scene, mesh).provenance.at("threads"), "1");
   scene.mpm.threads = 2;
   EXPECT_EQ(record_of(scene, mesh).provenance.at("threads"), "2");
+  meshes::FieldHistory reference;
+  EXPECT_EQ(threads_of_reference(reference), "1");
+  reference.counters["ranks"] = 3;
+  EXPECT_EQ(threads_of_reference(reference), "1 on each of 3 ranks");
 }
 
 /// Circles of a paraboloid, cut by the edge of the square: each piece is closed or ends on the edge.

@@ -125,7 +125,8 @@ TEST(KnownLines, WaysAreLevelLines) {
   EXPECT_TRUE(none.series.empty());
 }
 
-/// A body that gains momentum from its weight, of which walls take a part, from 1000 s to 1004 s.
+/// A body that gains momentum from its weight, of which walls take a part, from 1000 s to 1004 s. Its first row is
+/// written after the first cycles: impulses have begun.
 meshes::FieldHistory sliding() {
   meshes::FieldHistory history;
   history.mesh.dim = 2;
@@ -136,8 +137,8 @@ meshes::FieldHistory sliding() {
     row.kinetic = t;
     row.motion = 10;
     row.momentum = {1 + 2 * t, 0, 0};
-    row.impulse = {3 * t, -10 * t, 0};
-    row.reaction = {-t, 10 * t, 0};
+    row.impulse = {1.5 + 3 * t, -5 - 10 * t, 0};
+    row.reaction = {-0.5 - t, 5 + 10 * t, 0};
     history.motion.push_back(row);
     meshes::LedgerRow water;
     water.time = row.time;

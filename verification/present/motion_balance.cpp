@@ -45,6 +45,12 @@ std::vector<double> rows_of_interest(const meshes::FieldHistory& history, const 
   return times;
 }
 
+/// What has come since a row: the first one is written some cycles after the stage began.
+meshes::Point since(const meshes::Point& first, meshes::Point sum) {
+  for (std::size_t axis = 0; axis < sum.size(); ++axis) sum[axis] -= first[axis];
+  return sum;
+}
+
 /// "12.3; -45.6": components of a vector.
 std::string components(const meshes::Point& vector, int dim) {
   std::string text;
@@ -99,11 +105,13 @@ Figure momenta(const meshes::FieldHistory& history, const std::string& axis, int
   const auto add = [&](const char* label, const auto& value) {
     figure.series.push_back(series_of(history, label, value));
   };
-  const double first = history.motion.front().momentum[along];
-  add("gained by the skeleton", [=](const MotionRow& row) { return row.momentum[along] - first; });
-  add("impulse of weight, loads, water", [along](const MotionRow& row) { return row.impulse[along]; });
-  add("impulse of walls, base, damping", [along](const MotionRow& row) { return row.reaction[along]; });
-  add("sum of the impulses", [along](const MotionRow& row) { return row.impulse[along] + row.reaction[along]; });
+  const MotionRow& first = history.motion.front();
+  const auto impulse = [&](const MotionRow& row) { return row.impulse[along] - first.impulse[along]; };
+  const auto reaction = [&](const MotionRow& row) { return row.reaction[along] - first.reaction[along]; };
+  add("gained by the skeleton", [&](const MotionRow& row) { return row.momentum[along] - first.momentum[along]; });
+  add("impulse of weight, loads, water", impulse);
+  add("impulse of walls, base, damping", reaction);
+  add("sum of the impulses", [&](const MotionRow& row) { return impulse(row) + reaction(row); });
   figure.series.back().style = Series::Style::dashed;
   return figure;
 }
@@ -166,15 +174,14 @@ Table motion_table(const meshes::FieldHistory& history, const Timeline& timeline
   const int dim = history.mesh.dim;
   for (const double time : rows_of_interest(history, timeline)) {
     const MotionRow& row = row_at(history, time);
-    meshes::Point gained = row.momentum;
-    for (int axis = 0; axis < dim; ++axis) gained[axis] -= first.momentum[axis];
-    table.rows.push_back({fmt::format("{:.7g}", row.time), fmt::format("{:.4g}", row.time - first.time),
-                          fmt::format("{:.4g}", row.kinetic), fmt::format("{:.4g}", row.potential - first.potential),
-                          fmt::format("{:.4g}", row.stress_work), fmt::format("{:.4g}", row.load_work),
-                          fmt::format("{:.4g}", row.resistance), fmt::format("{:.3g}", row.drift),
-                          fmt::format("{:.2f}", 100 * row.drift / energy), components(gained, dim),
-                          components(row.impulse, dim), components(row.reaction, dim),
-                          fmt::format("{:.1e}", magnitude(row.momentum_drift) / momentum)});
+    table.rows.push_back(
+        {fmt::format("{:.7g}", row.time), fmt::format("{:.4g}", row.time - first.time),
+         fmt::format("{:.4g}", row.kinetic), fmt::format("{:.4g}", row.potential - first.potential),
+         fmt::format("{:.4g}", row.stress_work), fmt::format("{:.4g}", row.load_work),
+         fmt::format("{:.4g}", row.resistance), fmt::format("{:.3g}", row.drift),
+         fmt::format("{:.2f}", 100 * row.drift / energy), components(since(first.momentum, row.momentum), dim),
+         components(since(first.impulse, row.impulse), dim), components(since(first.reaction, row.reaction), dim),
+         fmt::format("{:.1e}", magnitude(row.momentum_drift) / momentum)});
   }
   table.caption =
       "Per metre of thickness. Stress work is done on the soil, stored or dissipated; resistance is that of sides, "

@@ -40,4 +40,9 @@ std::map<std::string, std::string> provenance(const std::string& input, const me
           {"date", fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(now))}};
 }
 
+std::string threads_of_reference(const meshes::FieldHistory& reference) {
+  const auto ranks = reference.counters.find("ranks");
+  return ranks == reference.counters.end() ? "1" : fmt::format("1 on each of {:g} ranks", ranks->second);
+}
+
 }  // namespace wetfront::verification

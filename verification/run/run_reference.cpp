@@ -8,6 +8,7 @@
 #include "verification/present/reference_error_table.h"
 #include "verification/present/side_table.h"
 #include "verification/present/tables.h"
+#include "verification/run/provenance.h"
 #include "verification/run/scene_record.h"
 
 namespace wetfront::verification {
@@ -34,7 +35,7 @@ ReferenceResult run_reference(const Scene& scene, const std::filesystem::path& f
 
   reports::Record& record = result.record;
   record = record_of(scene, history.mesh);
-  record.provenance["threads"] = "1";  // the reference has one, whatever the scene gives the MPM
+  record.provenance["threads"] = threads_of_reference(history);
   record.case_name += "_reference";
   record.title += ": the reference alone";
   record.requirement = "The reference's own error: from coarser and finer meshes and a tenth of the tolerance.";
