@@ -224,6 +224,7 @@ TEST_F(CommandLine, WhatCameOutStandsBesideThatOfASecondMesh) {
   const std::string result = reports::read_whole(folder / "out/small_slope/result.json");
   EXPECT_THAT(result, HasSubstr("on twice the cell size"));
   EXPECT_THAT(result, HasSubstr("MPM on twice the cell size: stage 'slide' ends"));
+  EXPECT_THAT(result, HasSubstr("\"quantity\":\"failure_time_mesh\""));
   // Fields are painted, and the points for ParaView go on to the end of the slide.
   for (const char* picture : {"pressure_field", "saturation_field", "displacement_field"})
     EXPECT_TRUE(fs::exists(folder / "out/small_slope/figures" / (std::string(picture) + ".svg"))) << picture;
@@ -232,6 +233,14 @@ TEST_F(CommandLine, WhatCameOutStandsBesideThatOfASecondMesh) {
   const Output none = wetfront("run " + cases + "dry_column/scene.toml --set comparison.second_mesh=coarser");
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.text, HasSubstr("nothing comes out of a slide"));
+  const Output coarser = wetfront("run " + cases +  // 2.2 % where the layer has one cell on the second mesh
+                                  "small_slope/scene.toml --set geometry.profile.cells_along=12 --set "
+                                  "geometry.profile.cells_over=2");
+  EXPECT_EQ(coarser.code, 1);
+  EXPECT_THAT(coarser.text, HasSubstr("FAIL          time of failure against that on twice the cell size"));
+  const Output gated = wetfront("run " + cases + "small_slope/scene.toml --set comparison.second_mesh=none");
+  EXPECT_EQ(gated.code, 2);
+  EXPECT_THAT(gated.text, HasSubstr("failure_time_mesh is never evaluated"));
 }
 
 TEST_F(CommandLine, ASlopeOfTwoSoilsSlidesUntilItRests) {

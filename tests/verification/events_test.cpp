@@ -1,6 +1,7 @@
 #include "verification/compare/events.h"
 #include "verification/compare/body_outcomes.h"
 #include "verification/compare/missed_events.h"
+#include "verification/compare/second_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,20 @@ TEST(MissedEvents, AreTheShareThatDidNotCome) {
   EXPECT_EQ(missed_events(scene, body)[0].error, 0);
   scene.stages.resize(0);
   EXPECT_TRUE(missed_events(scene, body).empty());
+}
+
+TEST(SecondMesh, TellsFailureApart) {
+  const double never = std::nan("");
+  EXPECT_TRUE(failure_on_two_meshes(never, never, "").empty());
+  const auto both = failure_on_two_meshes(100, 103, "on half the cell size");
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_EQ(both[0].quantity, "failure_time_mesh");
+  EXPECT_NEAR(both[0].error, 0.03, 1e-12);
+  EXPECT_NEAR(failure_on_two_meshes(100, 97, "")[0].error, 0.03, 1e-12);
+  const auto here = failure_on_two_meshes(100, never, "on half the cell size");
+  EXPECT_EQ(here[0].error, 1);
+  EXPECT_EQ(here[0].explanation, "it fails at 100 s here, and does not fail on half the cell size");
+  EXPECT_EQ(failure_on_two_meshes(never, 100, "")[0].error, 1);
 }
 
 }  // namespace

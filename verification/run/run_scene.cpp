@@ -6,6 +6,7 @@
 #include "verification/compare/body_outcomes.h"
 #include "verification/compare/measure_motion.h"
 #include "verification/compare/missed_events.h"
+#include "verification/compare/second_mesh.h"
 #include "verification/compare/verdict.h"
 #include "verification/compare/window.h"
 #include "verification/present/body_film.h"
@@ -115,9 +116,14 @@ void add_body(reports::Record& record, const Prepared& prepared, const Solved& c
 }
 
 /// What the run itself must hold, with a reference or without.
-std::vector<Measurement> measure_run(const Scene& scene, const Solved& candidate) {
+std::vector<Measurement> measure_run(const Scene& scene, const Solved& candidate,
+                                     const std::optional<OnSecondMesh>& second) {
   std::vector<Measurement> measurements = measure_motion(candidate.history, failure_time(candidate.body));
-  for (Measurement& own : missed_events(scene, candidate.body)) measurements.push_back(std::move(own));
+  std::ranges::move(missed_events(scene, candidate.body), std::back_inserter(measurements));
+  if (!second) return measurements;
+  const double failed = failure_time(candidate.body), here = std::isfinite(failed) ? failed : std::nan("");
+  std::ranges::move(failure_on_two_meshes(here, value_of(second->outcomes, "failure_time"), second->cells),
+                    std::back_inserter(measurements));
   return measurements;
 }
 
@@ -135,7 +141,8 @@ void shade_after(std::vector<reports::Figure>& figures, double failure, double e
 }
 
 /// Compares and judges; what a solver that gave up left behind is compared as far as it goes.
-void compare_into(reports::Record& record, const Prepared& prepared, RunResult& result) {
+void compare_into(reports::Record& record, const Prepared& prepared, RunResult& result,
+                  const std::optional<OnSecondMesh>& second) {
   const double failure = failure_time(result.candidate.body);
   Histories histories = histories_of(result.candidate.history, *result.reference);
   histories.candidate = without_room(prepared.scene, histories.candidate);
@@ -143,7 +150,7 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   std::optional<Histories> cut;  // five histories: copied only where there is something to cut
   if (std::isfinite(failure)) cut = cut_at(histories, failure);
   auto measurements = measure(prepared.scene, window, cut ? *cut : histories);
-  for (Measurement& own : measure_run(prepared.scene, result.candidate)) measurements.push_back(std::move(own));
+  std::ranges::move(measure_run(prepared.scene, result.candidate, second), std::back_inserter(measurements));
   record.findings = judge(prepared.scene, window, measurements, histories.candidate.cpu_seconds);
   record.verdict = overall(record.findings);
   WorstPoints worst = worst_points(record.findings, measurements, cut ? *cut : histories);
@@ -164,11 +171,12 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
 }
 
 /// A scene without a reference is judged by what its run itself must hold.
-void judge_alone(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+void judge_alone(reports::Record& record, const Prepared& prepared, const Solved& candidate,
+                 const std::optional<OnSecondMesh>& second) {
   const meshes::FieldHistory& history = candidate.history;
   const double failure = failure_time(candidate.body);
   const Timeline window = cut_at(prepared.timeline, failure);
-  auto measurements = measure_run(prepared.scene, candidate);
+  auto measurements = measure_run(prepared.scene, candidate, second);
   if (history.ledger.size() > 1)
     measurements.push_back({"water_balance",
                             "water balance",
@@ -226,14 +234,15 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
   result.candidate = refined ? refined->solved : run_candidate(prepared.problem, stopping);
   note_solver(record, "MPM", result.candidate);
   result.stopped = result.candidate.stopped;
+  const std::optional<OnSecondMesh> second = on_second_mesh(prepared, result);
   if (result.reference)
-    compare_into(record, prepared, result);
+    compare_into(record, prepared, result, second);
   else
-    judge_alone(record, prepared, result.candidate);
+    judge_alone(record, prepared, result.candidate, second);
   tell_held_points(record, "MPM", result.candidate.history);
   record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
-  add_body(record, prepared, result.candidate, on_second_mesh(prepared, result));
+  add_body(record, prepared, result.candidate, second);
   add_candidate_tables(record, prepared, result.candidate.history);
   result.exit = exit_for(record.verdict);
   if (!why_given_up(result).empty()) {

@@ -37,6 +37,8 @@ const std::vector<Quantity>& quantities() {
        "energy that a dynamically moving skeleton gains or loses unexplained, over the largest form of it", true},
       {"missed_events", "1", Per::run, false,
        "share of the events that stages are to end with (failure, rest) that did not come in their time", true},
+      {"failure_time_mesh", "1", Per::run, false,
+       "time of failure against that on the second mesh; 1 where it fails on one of the two alone", true},
       {"momentum_balance", "1", Per::run, false, "the same of momentum, over the largest of momentum and impulses",
        true},
   };

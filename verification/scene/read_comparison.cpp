@@ -130,6 +130,18 @@ void check_probe(SectionReader& reader, const Tolerance& gate, const Quantity& q
                               suggest(gate.probe, names)});
 }
 
+/// [comparison] has been read before.
+void check_second_mesh(SectionReader& reader, const Tolerance& gate, const Scene& scene) {
+  if (gate.quantity != "failure_time_mesh") return;
+  const auto fails = [](const Stage& stage) { return stage.event.kind == StageEvent::Kind::failure; };
+  if (scene.comparison.second_mesh == 1)
+    reader.complain("quantity", {gate.quantity + " is never evaluated", "the scene runs on one mesh alone",
+                                 "Add second_mesh = \"coarser\" to [comparison]."});
+  else if (std::ranges::none_of(scene.stages, fails))
+    reader.complain("quantity", {gate.quantity + " is never evaluated", "no stage of this scene ends with failure",
+                                 "Remove this gate, or add ends_with = \"failure\" to a stage."});
+}
+
 void read_tolerance(SectionReader& reader, Reading& reading) {
   Scene& scene = reading.scene;
   Tolerance gate;
@@ -146,6 +158,7 @@ void read_tolerance(SectionReader& reader, Reading& reading) {
   if (quantity) {
     check_time(reader, gate, *quantity, reading);
     check_probe(reader, gate, *quantity, scene);
+    check_second_mesh(reader, gate, scene);
     const FillingTime filling = reading.filling();
     if (quantity->needs_filling_time && !filling.why_not.empty())
       reader.complain("quantity", {"this scene has no filling time", filling.why_not, "Remove this gate."});

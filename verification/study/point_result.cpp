@@ -58,6 +58,8 @@ std::vector<Outcome> all_outcomes(const Scene& scene, const Timeline& times, con
 
 void fill(PointResult& result, Scene scene, const std::filesystem::path& folder, const ReferenceStore& store) {
   scene.comparison.second_mesh = 1;  // a study has points for that
+  std::erase_if(scene.comparison.tolerances,
+                [](const Tolerance& gate) { return gate.quantity == "failure_time_mesh"; });
   const RunResult run = run_scene(scene, folder, {store});
   const Timeline times = timeline(scene);
   result.exit = static_cast<int>(run.exit);
