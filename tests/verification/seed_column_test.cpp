@@ -49,6 +49,23 @@ INSTANTIATE_TEST_SUITE_P(MainJob, SeedColumn, testing::ValuesIn(scenes_of_main_j
   return identifier;
 });
 
+/// Rain refused and water that leaves are told of a column with one side that water passes, too.
+TEST(SeedColumnFluxes, RunOffIsComparedAndNoOutflowSaidToBeNone) {
+  const RunResult result = run_prepared(prepare(read_scene(cases / "seed_column/scene_1.5e-4_smin0.87.toml")));
+  const auto& findings = result.record.findings;
+  const auto run_off = std::ranges::find(findings, "run_off", &reports::Finding::quantity),
+             outflow = std::ranges::find(findings, "outflow", &reports::Finding::quantity);
+  ASSERT_NE(run_off, findings.end());
+  ASSERT_NE(outflow, findings.end());
+  EXPECT_GT(run_off->error, 0);
+  EXPECT_LT(run_off->error, 1e-4);
+  EXPECT_THAT(run_off->explanation,
+              testing::AllOf(testing::HasSubstr("candidate 1.55"), testing::HasSubstr("reference 1.55"),
+                             testing::HasSubstr("of 32.9")));
+  EXPECT_EQ(outflow->error, 0);
+  EXPECT_EQ(outflow->explanation, "none in either");
+}
+
 TEST(SeedColumnRelations, HasTheScenesOfTheMainJob) {
   EXPECT_THAT(
       scenes_of_main_job(),

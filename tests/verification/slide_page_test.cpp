@@ -1,5 +1,6 @@
 /// What the page of a slide says beside its numbers: what is known, the doubt of two meshes, and where momentum went.
 #include "verification/compare/measure.h"
+#include "verification/present/flux_tables.h"
 #include "verification/present/known.h"
 #include "verification/present/motion_balance.h"
 #include "verification/present/slide_figures.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wetfront::verification {
 namespace {
@@ -165,6 +167,36 @@ TEST(MotionTable, HasTimesOfTheSlideWhereNoneAreCompared) {
   EXPECT_EQ(table.rows.back()[column + 2], "-4; 40");
   timeline.comparison_times = {1001, 1002, 1003, 1004};
   EXPECT_EQ(motion_table(sliding(), timeline).rows.size(), 4u);
+}
+
+/// Fluxes are compared until failure: both end there, between rows of their ledgers, and say so.
+TEST(FluxTables, EndWithFailure) {
+  meshes::FieldHistory run = sliding();
+  run.mesh.nodes = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}};
+  run.mesh.cells = {0, 1, 3, 2};
+  run.mesh.region = {0};
+  run.sides = {{"top", "rain", {}, {}, {}, {}, {}}};
+  for (const meshes::LedgerRow& row : run.ledger) run.sides[0].asked.push_back(row.rain_asked);
+  Scene scene;
+  Timeline window, planned;
+  window.comparison_times = planned.comparison_times = {1001};
+  window.stage_end = {1002.005};
+  planned.stage_end = {1010};
+  const auto cut = compared_fluxes(scene, window, 1002.005, run, run);
+  ASSERT_EQ(cut.size(), 3u);
+  for (const reports::Table& table : cut) {
+    EXPECT_TRUE(table.title.ends_with(" until failure")) << table.title;
+    EXPECT_NE(table.caption.find("the failure at 1002"), std::string::npos) << table.title;
+    EXPECT_EQ(table.rows.size(), 2u) << table.title;
+  }
+  EXPECT_EQ(cut[0].rows[1][1], "3502.5000");  // 7.005 m2 over 2 m
+  EXPECT_EQ(cut[1].rows[1][3], "7005.0000");
+  const double never = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(compared_fluxes(scene, planned, never, run, run)[0].title, "Water ledger of the reference");
+  const auto own = ledger_of_run(scene, planned, 1002.005, run);
+  ASSERT_EQ(own.rows.size(), 3u);
+  EXPECT_EQ(own.rows[1], cut[0].rows[1]);  // to be held against each other
+  EXPECT_EQ(own.rows[2][0], "1004");
 }
 
 TEST(MotionFigures, ExplainMomentumAndWaterSinceFailure) {

@@ -108,6 +108,33 @@ void Measuring::side_fluxes() {
   }
 }
 
+/// Rain refused and water that left, at the last time that every solution reached.
+void Measuring::water_lost() {
+  double end = timeline_.end();
+  for (const auto* one : {&candidate_, &reference_, &histories_.finer, &histories_.tighter})
+    end = std::min(end, one->ledger.empty() ? 0 : one->ledger.back().time);
+  if (histories_.coarser && !histories_.coarser->ledger.empty())
+    end = std::min(end, histories_.coarser->ledger.back().time);
+  const double rain = rain_asked(scene_, candidate_.mesh, end) / area_of(candidate_);
+  if (!(rain > 0)) return;
+  const auto lost = [&](const char* quantity, const char* description, double meshes::LedgerRow::*column) {
+    const Read share = read_number([&](const meshes::FieldHistory& history) {
+      const double value = ledger_at(history.ledger, column, end) / area_of(history) / rain;
+      return std::abs(value) < 1e-6 ? 0 : value;  // what tolerances of the solvers leave of the rain
+    });
+    const double a = share.candidate[0], b = share.reference.reference[0];
+    add({quantity, fmt::format("{} until {:.6g} s, over the rain fallen", description, end)}, share,
+        of_numbers(absolute_difference),
+        a == 0 && b == 0 ? "none in either"
+                         : fmt::format("candidate {:.6g} mm, reference {:.6g} mm of {:.6g} mm", 1e3 * rain * a,
+                                       1e3 * rain * b, 1e3 * rain));
+  };
+  // Rain on water is no rain on the ground; solvers differ in whether they count it as refused.
+  if (std::ranges::none_of(scene_.rains, [&](const Rain& one) { return under_water(scene_, one.side); }))
+    lost("run_off", "rain refused", &meshes::LedgerRow::run_off);
+  lost("outflow", "water that left through other sides", &meshes::LedgerRow::outflow);
+}
+
 std::vector<Measurement> measure(const Scene& scene, const Timeline& timeline, const Histories& histories) {
   return Measuring(scene, timeline, histories).all();
 }

@@ -68,6 +68,7 @@ class Measuring {
     published();
     balances();
     side_fluxes();
+    water_lost();
     overshoot();
     return std::move(found_);
   }
@@ -113,6 +114,7 @@ class Measuring {
   void published();
   void balances();
   void side_fluxes();
+  void water_lost();
   std::vector<meshes::Evaluator::Weights> surface_places(const std::string& side) const;
   void overshoot();
 

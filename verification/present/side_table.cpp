@@ -37,7 +37,7 @@ reports::Table side_table(const std::string& who, const meshes::FieldHistory& hi
     table.header.push_back(std::string(column) + " [" + unit + "]");
   if (history.ledger.empty()) return table;
   std::vector<double> times = timeline.comparison_times;
-  const double end = history.ledger.back().time;
+  const double end = std::min(history.ledger.back().time, timeline.end());
   std::erase_if(times, [&](double time) { return time >= end * (1 - 1e-12); });
   times.push_back(end);
   for (const meshes::SideLedger& side : history.sides)

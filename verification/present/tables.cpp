@@ -81,10 +81,11 @@ Table ledger_table(const std::string& who, const meshes::FieldHistory& history, 
   if (history.ledger.empty()) return table;
   using Row = meshes::LedgerRow;
   std::vector<double> times = timeline.comparison_times;
-  times.push_back(history.ledger.back().time);
+  const double end = std::min(history.ledger.back().time, timeline.end());
+  std::erase_if(times, [end](double time) { return time >= end * (1 - 1e-12); });
+  times.push_back(end);
   std::sort(times.begin(), times.end());
   for (const double time : times) {
-    if (time > history.ledger.back().time) break;
     const auto mm = [&](double Row::*column) { return 1000 * ledger_at(history.ledger, column, time) / area; };
     const auto since_start = [&](double Row::*column) {
       return mm(column) - 1000 * (history.ledger.front().*column) / area;

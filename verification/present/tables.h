@@ -13,7 +13,7 @@ namespace wetfront::verification {
 /// What each solver spent, kernel by kernel, with counters.
 reports::Table cost_table(const std::string& who, const meshes::FieldHistory& history);
 
-/// The water ledger at the comparison times and at the end of a run [mm].
+/// The water ledger at the comparison times and at the end of a run, or of the timeline if that comes first [mm].
 reports::Table ledger_table(const std::string& who, const meshes::FieldHistory& history, double area,
                             const Timeline& timeline);
 

@@ -13,16 +13,16 @@
 #include "verification/present/field_files.h"
 #include "verification/present/field_pictures.h"
 #include "verification/present/figures.h"
+#include "verification/present/flux_tables.h"
 #include "verification/present/motion_balance.h"
 #include "verification/present/plan_text.h"
 #include "verification/present/reference_error_table.h"
-#include "verification/present/side_table.h"
 #include "verification/present/slide_figures.h"
 #include "verification/present/tables.h"
 #include "verification/present/worst_points.h"
-#include "verification/run/finer_cells.h"
 #include "verification/run/held_points.h"
 #include "verification/run/ledger_of_run.h"
+#include "verification/run/on_second_mesh.h"
 #include "verification/run/scene_record.h"
 #include "verification/scene/read.h"
 #include "verification/translate/scene_mesh.h"
@@ -39,9 +39,10 @@
 namespace wetfront::verification {
 namespace {
 
-void add_candidate_tables(reports::Record& record, const Prepared& prepared, const meshes::FieldHistory& history) {
+void add_candidate_tables(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+  const meshes::FieldHistory& history = candidate.history;
   if (prepared.scene.water)
-    record.tables.push_back(ledger_table("MPM", history, ledger_area(prepared.scene, history.mesh), prepared.timeline));
+    record.tables.push_back(ledger_of_run(prepared.scene, prepared.timeline, failure_time(candidate.body), history));
   if (!prepared.scene.rains.empty()) record.tables.push_back(node_rain_table(history));
   if (!history.motion.empty()) record.tables.push_back(motion_table(history, prepared.timeline));
   record.tables.push_back(cost_table("MPM", history));
@@ -79,25 +80,6 @@ void add_accuracy(reports::Record& record, const AccurateCandidate& candidate) {
     table.rows.push_back({run.resolution, std::isfinite(run.change) ? fmt::format("{:.3g}", 100 * run.change) : "-",
                           fmt::format("{:.3g}", run.cpu_seconds)});
   record.tables.push_back(std::move(table));
-}
-
-/// The same scene on cells of another size; none where the scene asks for none, or where either run ended before its
-/// time: half a slide is no measure of doubt. Nothing it meets may lose the run that is there.
-std::optional<OnSecondMesh> on_second_mesh(const Prepared& prepared, RunResult& result) {
-  const double factor = prepared.scene.comparison.second_mesh;
-  if (factor == 1 || !result.candidate.gave_up.empty()) return {};
-  const std::string cells = factor > 1 ? "on half the cell size" : "on twice the cell size", who = "MPM " + cells;
-  try {
-    const Prepared second = prepare(with_finer_cells(prepared.scene, factor));
-    const Solved solved = run_candidate(second.problem);
-    note_solver(result.record, who, solved);
-    result.stopped = solved.stopped;
-    if (!solved.gave_up.empty()) return {};
-    return OnSecondMesh{cells, body_outcomes(second.scene, solved.history, solved.body)};
-  } catch (const std::exception& problem) {
-    result.record.log.push_back(who + ": not run: " + problem.what());
-    return {};
-  }
 }
 
 /// The body and its slide, before everything else on the page.
@@ -160,12 +142,8 @@ void compare_into(reports::Record& record, const Prepared& prepared, RunResult& 
   record.figures = figures(prepared.scene, window, histories, measurements);
   record.pictures = field_pictures(histories);
   shade_after(record.figures, failure, prepared.timeline.end());
-  record.tables.push_back(ledger_table("reference", histories.reference,
-                                       ledger_area(prepared.scene, histories.reference.mesh), prepared.timeline));
-  if (!histories.candidate.sides.empty()) {
-    record.tables.push_back(side_table("MPM", histories.candidate, prepared.timeline));
-    record.tables.push_back(side_table("reference", histories.reference, prepared.timeline));
-  }
+  std::ranges::move(compared_fluxes(prepared.scene, window, failure, histories.candidate, histories.reference),
+                    std::back_inserter(record.tables));
   record.tables.push_back(reference_error_table(measurements));
   for (const auto& [name, solved] : result.reference->all()) record.tables.push_back(cost_table(name, solved->history));
 }
@@ -243,7 +221,7 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
   record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
   add_body(record, prepared, result.candidate, second);
-  add_candidate_tables(record, prepared, result.candidate.history);
+  add_candidate_tables(record, prepared, result.candidate);
   result.exit = exit_for(record.verdict);
   if (!why_given_up(result).empty()) {
     result.exit = Exit::gave_up;
