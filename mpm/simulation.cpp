@@ -21,6 +21,8 @@ namespace {
 /// A conditionally stable stage takes millions of steps: its ledger and gauges are written at events and at this many
 /// even intervals. (An implicit stage writes every accepted step.)
 constexpr double rows_per_stage = 4000;
+/// Of a stage that ends with failure and asks for no pictures, if its time runs out.
+constexpr double pictures_under_rain = 20;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -45,6 +47,7 @@ struct Simulation<dim>::Implementation {
     enter_stage();
     record();
     write_snapshot();
+    if (!pictures.empty() || unasked_interval() > 0) take_picture("");
   }
 
   Implementation(const Problem<dim>& p, const State& state)
@@ -152,7 +155,7 @@ struct Simulation<dim>::Implementation {
     const double interval = (plan->stage.end_time - plan->begin_time()) / rows_per_stage;
     if (event || !plan->conditionally_stable() || time - recorded_until >= interval) record();
     write_snapshot();
-    if (std::binary_search(pictures.begin(), pictures.end(), time)) take_picture("");
+    if (std::binary_search(pictures.begin(), pictures.end(), time) || unasked_picture_due()) take_picture("");
     look_for_end();
   }
 
@@ -249,6 +252,21 @@ struct Simulation<dim>::Implementation {
   void write_snapshot() {
     if (std::binary_search(problem.output_times.begin(), problem.output_times.end(), time))
       history.snapshots.push_back(snapshot_of(*plan, time));
+  }
+
+  /// Time between pictures that nobody asked for [s]; 0: none. They show what came before a failure.
+  double unasked_interval() const {
+    const Stage& now = plan->stage;
+    if (dim != 2 || now.ends_with != StageEnd::failure || now.picture_every > 0) return 0;
+    return (now.end_time - plan->begin_time()) / pictures_under_rain;
+  }
+
+  /// Whether the step that was taken went past the next of them; they steer no step.
+  bool unasked_picture_due() const {
+    const double every = unasked_interval();
+    if (!(every > 0)) return false;
+    const auto count = [&](double t) { return std::floor((t - plan->begin_time()) / every); };
+    return count(plan->clock.end) > count(plan->clock.time);
   }
 
   void take_picture(const std::string& of) { fields->body.pictures.push_back(picture_of(*plan, time, of)); }

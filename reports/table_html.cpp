@@ -56,10 +56,17 @@ std::string marked(const Table::Mark& mark, const std::string& text, TableForm f
          linked(glance ? word : text, mark.link) + "</td>";
 }
 
+/// Long, and read by few: closed until it is asked for.
+bool folded(const Table& table) {
+  return table.section == "Flux audit" && table.rows.size() > 24;
+}
+
 }  // namespace
 
 std::string table_html(const Table& table, TableForm form) {
   std::ostringstream out;
+  if (folded(table))
+    out << "<details class=\"folded\"><summary>" << html(table.title) << ", " << table.rows.size() << " rows</summary>";
   out << "<div class=\"wide\"><table class=\"plain" << (form == TableForm::glance ? " glance" : "") << "\"><caption><b>"
       << html(table.title) << "</b>";
   if (!table.caption.empty()) out << " <span>" << html(table.caption) << "</span>";
@@ -84,7 +91,7 @@ std::string table_html(const Table& table, TableForm form) {
     }
     out << "</tr>\n";
   }
-  out << "</tbody></table></div>\n";
+  out << "</tbody></table></div>" << (folded(table) ? "</details>\n" : "\n");
   return out.str();
 }
 

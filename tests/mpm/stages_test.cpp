@@ -38,9 +38,17 @@ TEST(Stages, ASlopeFailsSlidesAndRests) {
   EXPECT_NEAR(last.rain_asked / (2e-4 * 6 * last.time), 1, 1e-3);
   // The water of a body that moves evens out every few cycles of the skeleton.
   EXPECT_LT(history.counters.at("cycles in true time"), 32 * (history.counters.at("steps") - steps_of_rain));
-  // Pictures: at failure first.
-  ASSERT_FALSE(body.pictures.empty());
-  EXPECT_EQ(body.pictures[0].of, "failure");
+  // Pictures: from the first rain on, no more than twenty before failure, though none were asked for.
+  const auto failed = std::ranges::find(body.pictures, "failure", &Picture::of);
+  ASSERT_NE(failed, body.pictures.end());
+  EXPECT_EQ(body.pictures[0].snapshot.time, 0);
+  EXPECT_EQ(body.pictures[0].of, "");
+  for (auto before = body.pictures.begin() + 1; before < failed; ++before) {
+    EXPECT_GE(before->snapshot.time, 30.0 * static_cast<double>(before - body.pictures.begin()));
+    EXPECT_EQ(before->snapshot.points.saturation.size(), before->displacement.size());
+  }
+  EXPECT_GE(failed - body.pictures.begin(), 5);
+  EXPECT_LE(failed - body.pictures.begin(), 21);
   EXPECT_EQ(body.pictures[0].displacement.size(), body.pictures.back().displacement.size());
   ASSERT_FALSE(history.motion.empty());
 }

@@ -1,4 +1,5 @@
 #include "reports/record_json.h"
+#include "reports/table_html.h"
 #include "reports/whole_file.h"
 #include "tests/reports/json_schema.h"
 #include "tests/reports/sample_record.h"
@@ -75,6 +76,17 @@ nlohmann::json schema() {
 TEST(RecordJson, ARecordSurvivesTheFile) {
   const Record record = sample_record();
   expect_equal(record, from_json(to_json(record)));
+}
+
+TEST(TableHtml, ALongTableOfTheAuditIsClosedUntilAskedFor) {
+  Table table{"Rain over each node", "Flux audit", "", {"node"}, {}};
+  table.rows.assign(24, {"1"});
+  EXPECT_EQ(table_html(table, TableForm::whole).find("<details"), std::string::npos);
+  table.rows.assign(25, {"1"});
+  EXPECT_THAT(table_html(table, TableForm::whole),
+              HasSubstr("<details class=\"folded\"><summary>Rain over each node, 25 rows</summary>"));
+  table.section = "Cost";
+  EXPECT_EQ(table_html(table, TableForm::whole).find("<details"), std::string::npos);
 }
 
 TEST(RecordJson, NumbersThatJsonLacksSurvive) {

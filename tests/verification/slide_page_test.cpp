@@ -4,6 +4,7 @@
 #include "verification/present/known.h"
 #include "verification/present/motion_balance.h"
 #include "verification/present/slide_figures.h"
+#include "verification/present/surface_rain.h"
 #include "verification/scene/known_value.h"
 
 #include <gtest/gtest.h>
@@ -197,6 +198,30 @@ TEST(FluxTables, EndWithFailure) {
   ASSERT_EQ(own.rows.size(), 3u);
   EXPECT_EQ(own.rows[1], cut[0].rows[1]);  // to be held against each other
   EXPECT_EQ(own.rows[2][0], "1004");
+}
+
+/// What nodes above each other got is rain on one place, told per horizontal metre: 10 mm fell everywhere here, of
+/// which the middle refused half.
+TEST(SurfaceRain, IsToldPerHorizontalMetre) {
+  meshes::FieldHistory run;
+  run.mesh.dim = 2;
+  run.mesh.nodes = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}};
+  run.mesh.cells = {0, 1, 3, 2};
+  run.mesh.region = {0};
+  run.rain_by_node = {{0, {0, 0, 0}, 0.01, 0.01, 0},
+                      {1, {2, 0, 0}, 0.015, 0.005, 0.01},
+                      {2, {2, 1, 0}, 0.005, 0.005, 0},
+                      {3, {4, 0, 0}, 0.01, 0.01, 0}};
+  const auto figure = surface_rain_figure(run, std::numeric_limits<double>::infinity(), &run);
+  ASSERT_TRUE(figure);
+  ASSERT_EQ(figure->series.size(), 6u);
+  EXPECT_EQ(figure->series[0].x, (std::vector<double>{0, 2, 4}));
+  for (const double fallen : figure->series[0].y) EXPECT_NEAR(fallen, 10, 1e-12);
+  EXPECT_NEAR(figure->series[1].y[1], 5, 1e-12);
+  EXPECT_NEAR(figure->series[2].y[1], 5, 1e-12);
+  const auto failed = surface_rain_figure(run, 100, &run);  // the reference's rain is that of another time
+  ASSERT_TRUE(failed);
+  EXPECT_EQ(failed->series.size(), 3u);
 }
 
 TEST(MotionFigures, ExplainMomentumAndWaterSinceFailure) {

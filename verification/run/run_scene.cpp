@@ -18,6 +18,7 @@
 #include "verification/present/plan_text.h"
 #include "verification/present/reference_error_table.h"
 #include "verification/present/slide_figures.h"
+#include "verification/present/surface_rain.h"
 #include "verification/present/tables.h"
 #include "verification/present/worst_points.h"
 #include "verification/run/held_points.h"
@@ -39,11 +40,18 @@
 namespace wetfront::verification {
 namespace {
 
-void add_candidate_tables(reports::Record& record, const Prepared& prepared, const Solved& candidate) {
+/// What the MPM's own ledgers say, and its cost.
+void add_candidate_audit(reports::Record& record, const Prepared& prepared, const RunResult& result) {
+  const Solved& candidate = result.candidate;
   const meshes::FieldHistory& history = candidate.history;
   if (prepared.scene.water)
     record.tables.push_back(ledger_of_run(prepared.scene, prepared.timeline, failure_time(candidate.body), history));
-  if (!prepared.scene.rains.empty()) record.tables.push_back(node_rain_table(history));
+  if (!prepared.scene.rains.empty()) {
+    record.tables.push_back(node_rain_table(history));
+    const auto* reference = result.reference ? &result.reference->reference.history : nullptr;
+    if (auto figure = surface_rain_figure(history, failure_time(candidate.body), reference))
+      record.figures.push_back(*figure);
+  }
   if (!history.motion.empty()) record.tables.push_back(motion_table(history, prepared.timeline));
   record.tables.push_back(cost_table("MPM", history));
 }
@@ -221,7 +229,7 @@ RunResult run_with(const Prepared& prepared, const ReferenceStore& store, const 
   record.films = body_films(prepared.scene, result.candidate.history, result.candidate.body);
   if (refined) add_accuracy(record, *refined);
   add_body(record, prepared, result.candidate, second);
-  add_candidate_tables(record, prepared, result.candidate);
+  add_candidate_audit(record, prepared, result);
   result.exit = exit_for(record.verdict);
   if (!why_given_up(result).empty()) {
     result.exit = Exit::gave_up;

@@ -31,7 +31,7 @@ std::vector<Key> run_keys() {
     {"stage", "shortest_step", Takes::quantity, "s", optional, "2 s", "steps of the water are halved down to this before failure is believed: the time of failure is known to it", "2 s", {"0 s", "1000 d", true}, {}, "ends_with", {"failure"}},
     {"stage", "rest_energy", Takes::quantity, "1", optional, "1e-3", "kinetic energy over the largest of the stage below which the body is at rest", "1e-3", {"0", "1", true}, {}, "ends_with", {"rest"}},
     {"stage", "rest_hold", Takes::quantity, "s", optional, "0.2 s", "for so long", "0.2 s", {"0 s", "1 d", true}, {}, "ends_with", {"rest"}},
-    {"stage", "picture_every", Takes::quantity, "s", optional, "", "pictures of the body as often; none but at the ends of stages that an event ends when absent", "0.5 s", {"0 s", "1000 d", true}},
+    {"stage", "picture_every", Takes::quantity, "s", optional, "", "pictures of the body as often, and at the ends of stages that an event ends; when absent, 20 in the plane over a stage that ends with failure, else none", "0.5 s", {"0 s", "1000 d", true}},
     {"stage", "coupling_tolerance", Takes::quantity, "1", optional, "1e-6", "agreement of flow and quasi-static skeleton in a step, as relative pressure", "1e-6", {"1e-12", "0.01"}},
     {"stage", "time_integrator", Takes::choice, "", optional, "bdf2", "of seepage", "bdf2", {}, {"bdf2", "backward-euler"}, "scheme", {"auto", "seepage"}},
     {"stage", "time_tolerance", Takes::quantity, "1", optional, "1e-5", "of the error control of seepage and semi-implicit", "1e-5", {"1e-12", "0.1"}, {}, "scheme", {"auto", "seepage", "semi-implicit"}},
