@@ -23,7 +23,7 @@ Scene ground() {
   scene.water = Water{};
   scene.geometry.shape = Box{{0.2, 1}, {1, 5}};
   scene.initial = InitialState{HydrostaticStart{0, INFINITY}, {}};
-  scene.comparison.times = {{100, false}};
+  scene.comparison.times = {{100, false, {}}};
   return scene;
 }
 

@@ -11,8 +11,9 @@ namespace wetfront::verification {
 bool start_is_computed(const Scene& scene);
 
 /// Pore pressure of the scene's initial state at every node [Pa, compression-positive]. Hydrostatic: rho g (water table
-/// - elevation), along the vertical also where the table is a line, not below minus the suction cap. A computed start is computed on the reference's mesh, once per scene,
-/// and interpolated. Throws std::runtime_error for a field that cannot be read.
+/// - elevation), along the vertical also where the table is a line, not below minus the suction cap. A computed start
+/// is computed on the reference's mesh, once per scene, and interpolated. Throws std::runtime_error for a field that
+/// cannot be read.
 std::vector<double> initial_pressure(const Scene& scene, const meshes::Mesh& mesh);
 
 /// The same at a node at rest over a water table.
