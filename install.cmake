@@ -13,9 +13,6 @@ if(TARGET wetfront)
                                             INSTALL_RPATH_USE_LINK_PATH ON)
 
   set(wetfront_share ${CMAKE_INSTALL_DATADIR}/wetfront)
-  file(GLOB_RECURSE wetfront_pages RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS
-    ${CMAKE_SOURCE_DIR}/fem_reference/*.md ${CMAKE_SOURCE_DIR}/meshes/*.md ${CMAKE_SOURCE_DIR}/mpm/*.md
-    ${CMAKE_SOURCE_DIR}/reports/*.md ${CMAKE_SOURCE_DIR}/tests/*.md ${CMAKE_SOURCE_DIR}/verification/*.md)
   foreach(page ${wetfront_pages} verification/scene/scene.schema.json README.md LICENSE CITATION.cff CHANGELOG.md)
     get_filename_component(folder ${page} DIRECTORY)
     install(FILES ${page} DESTINATION ${wetfront_share}/${folder})

@@ -80,11 +80,16 @@
       return [values.reduce((u, v) => Math.min(u, v), Infinity), values.reduce((u, v) => Math.max(u, v), -Infinity)];
     }
 
+    // The drawn axis, logarithmic instead of linear or the other way round, with a little room at both ends.
+    otherKind(a) {
+      const log = !this.data[a].log, [from, to] = this.range(a, log), margin = 0.03;
+      const room = log ? (to / from) ** margin : margin * (to - from);
+      return {...this.data[a], log, from: log ? from / room : from - room, to: log ? to * room : to + room};
+    }
+
     changeKind(a) {
-      const now = a === "x" ? this.x : this.y, log = !now.log, [from, to] = this.range(a, log);
-      const own = this.data[a], margin = 0.03;
-      const wide = log ? [from / (to / from) ** margin, to * (to / from) ** margin] : [from - margin * (to - from), to + margin * (to - from)];
-      const axis = own.log === log ? own : {...own, log, from: wide[0], to: wide[1]};
+      const log = !this[a].log, own = this.data[a];
+      const axis = own.log === log ? own : this.otherKind(a);
       this.clear();
       this.view(a === "x" ? axis : this.x, a === "y" ? axis : this.y);
       if (this.x === this.data.x && this.y === this.data.y) return this.reset();
@@ -181,7 +186,7 @@
       if (this.zoomed) this.zoomed.remove();
       if (this.button) this.button.remove();
       this.zoomed = this.button = null;
-      for (const button of this.kinds || []) this.name(button, this.data[button.dataset.axis].log);
+      for (const button of this.kinds) this.name(button, this.data[button.dataset.axis].log);
       if (this.own && this.own !== this.data && this.data.x.unit + this.data.y.unit !== this.own.x.unit + this.own.y.unit)
         this.redraw();
     }

@@ -198,14 +198,13 @@ class WithJavaScript(Page, unittest.TestCase):
         button.click()
         self.assertEqual(button.text, "x: linear")
         data = json.loads(self.only("#figure-error_over_cost script").get_attribute("textContent"))
-        series = max(data["series"], key=lambda s: len(s["x"]))
         marks = [m.rect["x"] for m in self.all("#figure-error_over_cost .zoomed use")]
         points = [x for s in data["series"] if s["style"] == "points" for x in s["x"]]
-        if points:  # equal steps in x are equal steps on the page
-            self.assertEqual(len(marks), len(points))
-            slope = (max(marks) - min(marks)) / (max(points) - min(points))
-            for x, mark in zip(points, marks):
-                self.assertAlmostEqual(mark, min(marks) + slope * (x - min(points)), delta=1)
+        self.assertGreater(len(points), 2)
+        self.assertEqual(len(marks), len(points))
+        slope = (max(marks) - min(marks)) / (max(points) - min(points))
+        for x, mark in zip(points, marks):  # equal steps in x are equal steps on the page
+            self.assertAlmostEqual(mark, min(marks) + slope * (x - min(points)), delta=1)
         button.click()
         self.assertEqual(button.text, "x: log")
         self.assertEqual(self.all(".zoomed"), [], "as drawn")

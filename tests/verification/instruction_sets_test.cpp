@@ -35,7 +35,7 @@ TEST_F(InstructionSets, GiveTheSameBits) {
     if (entry.path().extension() != ".vtu") continue;
     const fs::path other = folder / "baseline/fields" / entry.path().filename();
     ASSERT_TRUE(fs::exists(other)) << other;
-    EXPECT_EQ(reports::read_whole(entry.path()) == reports::read_whole(other), true) << entry.path().filename();
+    EXPECT_TRUE(reports::read_whole(entry.path()) == reports::read_whole(other)) << entry.path().filename();
     ++files;
   }
   EXPECT_GE(files, 10u) << "until failure and through the slide";

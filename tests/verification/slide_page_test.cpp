@@ -16,6 +16,16 @@
 namespace wetfront::verification {
 namespace {
 
+/// A plane mesh of one rectangle, a metre high [m].
+meshes::Mesh one_cell(double width) {
+  meshes::Mesh mesh;
+  mesh.dim = 2;
+  mesh.nodes = {{0, 0, 0}, {width, 0, 0}, {0, 1, 0}, {width, 1, 0}};
+  mesh.cells = {0, 1, 3, 2};
+  mesh.region = {0};
+  return mesh;
+}
+
 TEST(KnownValues, AreReadFromWords) {
   const auto one = number_in_words("about 6300 s", "s"), band = number_in_words("3 to 3.7 m", "m"),
              units = number_in_words("90 cm to 1.2 m", "m"), rate = number_in_words("3.4e-4 m/s", "m/s");
@@ -173,9 +183,7 @@ TEST(MotionTable, HasTimesOfTheSlideWhereNoneAreCompared) {
 /// Fluxes are compared until failure: both end there, between rows of their ledgers, and say so.
 TEST(FluxTables, EndWithFailure) {
   meshes::FieldHistory run = sliding();
-  run.mesh.nodes = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}};
-  run.mesh.cells = {0, 1, 3, 2};
-  run.mesh.region = {0};
+  run.mesh = one_cell(2);
   run.sides = {{"top", "rain", {}, {}, {}, {}, {}}};
   for (const meshes::LedgerRow& row : run.ledger) run.sides[0].asked.push_back(row.rain_asked);
   Scene scene;
@@ -204,10 +212,7 @@ TEST(FluxTables, EndWithFailure) {
 /// which the middle refused half.
 TEST(SurfaceRain, IsToldPerHorizontalMetre) {
   meshes::FieldHistory run;
-  run.mesh.dim = 2;
-  run.mesh.nodes = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}};
-  run.mesh.cells = {0, 1, 3, 2};
-  run.mesh.region = {0};
+  run.mesh = one_cell(2);
   run.rain_by_node = {{0, {0, 0, 0}, 0.01, 0.01, 0},
                       {1, {2, 0, 0}, 0.015, 0.005, 0.01},
                       {2, {2, 1, 0}, 0.005, 0.005, 0},
@@ -252,10 +257,7 @@ TEST(MotionFigures, ExplainMomentumAndWaterSinceFailure) {
 /// Fourteen outlines of one slide cannot be told from each other.
 TEST(SlideFigures, OutlinesAreFewAndEndWithTheRest) {
   meshes::FieldHistory history;
-  history.mesh.dim = 2;
-  history.mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-  history.mesh.cells = {0, 1, 3, 2};
-  history.mesh.region = {0};
+  history.mesh = one_cell(1);
   Scene scene;
   scene.geometry.shape = Slope{};
   mpm::BodyRecord body;

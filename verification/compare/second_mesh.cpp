@@ -7,11 +7,12 @@
 namespace wetfront::verification {
 
 std::vector<Measurement> failure_on_two_meshes(double here, double there, const std::string& cells) {
-  if (std::isnan(here) && std::isnan(there)) return {};
+  const bool fails_here = std::isfinite(here), fails_there = std::isfinite(there);
+  if (!fails_here && !fails_there) return {};
   const auto told = [](double time) {
-    return std::isnan(time) ? "does not fail" : fmt::format("fails at {:.6g} s", time);
+    return std::isfinite(time) ? fmt::format("fails at {:.6g} s", time) : "does not fail";
   };
-  const double error = std::isnan(here) || std::isnan(there) ? 1 : std::abs(here - there) / here;
+  const double error = fails_here && fails_there ? std::abs(here - there) / here : 1;
   return {{"failure_time_mesh",
            "time of failure against that " + cells,
            -1,

@@ -1,5 +1,7 @@
 #include "verification/present/side_table.h"
 
+#include "verification/present/tables.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,10 +38,7 @@ reports::Table side_table(const std::string& who, const meshes::FieldHistory& hi
   for (const char* column : {"asked", "run off", "outflow", "evaporation demanded", "evaporated"})
     table.header.push_back(std::string(column) + " [" + unit + "]");
   if (history.ledger.empty()) return table;
-  std::vector<double> times = timeline.comparison_times;
-  const double end = std::min(history.ledger.back().time, timeline.end());
-  std::erase_if(times, [&](double time) { return time >= end * (1 - 1e-12); });
-  times.push_back(end);
+  const std::vector<double> times = audit_times(history, timeline);
   for (const meshes::SideLedger& side : history.sides)
     for (const double time : times)
       table.rows.push_back({side.side, side.condition, fmt::format("{:.6g}", time),

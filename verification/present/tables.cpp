@@ -71,6 +71,15 @@ Table cost_table(const std::string& who, const meshes::FieldHistory& history) {
   return table;
 }
 
+std::vector<double> audit_times(const meshes::FieldHistory& history, const Timeline& timeline) {
+  std::vector<double> times = timeline.comparison_times;
+  const double end = std::min(history.ledger.back().time, timeline.end());
+  std::erase_if(times, [end](double time) { return time >= end * (1 - 1e-12); });
+  times.push_back(end);
+  std::ranges::sort(times);
+  return times;
+}
+
 Table ledger_table(const std::string& who, const meshes::FieldHistory& history, double area, const Timeline& timeline) {
   Table table;
   table.title = "Water ledger of the " + who;
@@ -80,12 +89,7 @@ Table ledger_table(const std::string& who, const meshes::FieldHistory& history, 
                   "outflow [mm]", "stored [mm]",     "delivered, nodal [mm]", "delivered, particles [mm]"};
   if (history.ledger.empty()) return table;
   using Row = meshes::LedgerRow;
-  std::vector<double> times = timeline.comparison_times;
-  const double end = std::min(history.ledger.back().time, timeline.end());
-  std::erase_if(times, [end](double time) { return time >= end * (1 - 1e-12); });
-  times.push_back(end);
-  std::sort(times.begin(), times.end());
-  for (const double time : times) {
+  for (const double time : audit_times(history, timeline)) {
     const auto mm = [&](double Row::*column) { return 1000 * ledger_at(history.ledger, column, time) / area; };
     const auto since_start = [&](double Row::*column) {
       return mm(column) - 1000 * (history.ledger.front().*column) / area;

@@ -13,6 +13,10 @@ namespace wetfront::verification {
 /// What each solver spent, kernel by kernel, with counters.
 reports::Table cost_table(const std::string& who, const meshes::FieldHistory& history);
 
+/// When fluxes are told: at the comparison times and the end of the run, or of the timeline if that comes first [s],
+/// ascending. The run has a ledger.
+std::vector<double> audit_times(const meshes::FieldHistory& history, const Timeline& timeline);
+
 /// The water ledger at the comparison times and at the end of a run, or of the timeline if that comes first [mm].
 reports::Table ledger_table(const std::string& who, const meshes::FieldHistory& history, double area,
                             const Timeline& timeline);

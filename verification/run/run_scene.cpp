@@ -111,9 +111,9 @@ std::vector<Measurement> measure_run(const Scene& scene, const Solved& candidate
   std::vector<Measurement> measurements = measure_motion(candidate.history, failure_time(candidate.body));
   std::ranges::move(missed_events(scene, candidate.body), std::back_inserter(measurements));
   if (!second) return measurements;
-  const double failed = failure_time(candidate.body), here = std::isfinite(failed) ? failed : std::nan("");
-  std::ranges::move(failure_on_two_meshes(here, value_of(second->outcomes, "failure_time"), second->cells),
-                    std::back_inserter(measurements));
+  std::ranges::move(
+      failure_on_two_meshes(failure_time(candidate.body), value_of(second->outcomes, "failure_time"), second->cells),
+      std::back_inserter(measurements));
   return measurements;
 }
 

@@ -4,8 +4,9 @@
 
 namespace wetfront::verification {
 
-/// How every scene written by `wetfront new` begins: where its numbers come from, and its title.
-std::string headed_template(const std::string& name);
+/// How every scene written by `wetfront new` begins: where its numbers come from, title, requirement, gravity, and how
+/// values are written.
+std::string headed_template(const std::string& name, const std::string& requirement);
 
 /// A commented scene to start from: a column in the rain (`wetfront new NAME`).
 std::string scene_template(const std::string& name);

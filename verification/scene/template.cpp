@@ -3,15 +3,16 @@
 namespace wetfront::verification {
 namespace {
 
-const std::string body = R"toml(
-requirement = "The MPM follows rain into this soil as Richards' equation does."   # what the scene is there to show
+const std::string head = R"toml(   # what the scene is there to show
 gravity = ["0 m/s2", "-9.81 m/s2"]       # x, y; y is up
 
 # Every value with a unit stands in quotation marks; any unit of the right kind will do ("100 mm/h", "3e-5 m/s").
 # Nothing here switches physics on or off: what the scene contains is simulated, nothing else.
 # All keys, units and defaults: verification/scene/SCENE.md. `wetfront explain` shows what a scene calls for.
 
-[geometry]                               # one of column, slope, profile, box, mesh
+)toml";
+
+const std::string body = R"toml([geometry]                               # one of column, slope, profile, box, mesh
 column = { height = "1.2 m", cells = 40 }
 # slope = { length = "20 m", thickness = "1.2 m", angle = "30 deg", cells_along = 80, cells_over = 10 }
 # mesh = "ground.msh"                    # your own; sides and soils are its physical groups
@@ -88,13 +89,13 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string headed_template(const std::string& name) {
+std::string headed_template(const std::string& name, const std::string& requirement) {
   return "# What this scene is and where its numbers come from (paper and section).\n\ntitle = " +
-         quoted(name.empty() ? "New scene" : name);
+         quoted(name.empty() ? "New scene" : name) + "\nrequirement = " + quoted(requirement) + head;
 }
 
 std::string scene_template(const std::string& name) {
-  return headed_template(name) + body;
+  return headed_template(name, "The MPM follows rain into this soil as Richards' equation does.") + body;
 }
 
 }  // namespace wetfront::verification

@@ -3,15 +3,8 @@
 namespace wetfront::verification {
 namespace {
 
-const std::string body = R"toml(
-requirement = "Rain soaks this slope until it fails; the slide is followed until it rests."   # what the scene is there to show
-gravity = ["0 m/s2", "-9.81 m/s2"]       # x, y; y is up
-
-# Every value with a unit stands in quotation marks; any unit of the right kind will do ("100 mm/h", "3e-5 m/s").
-# Nothing here switches physics on or off: what the scene contains is simulated, nothing else.
-# All keys, units and defaults: verification/scene/SCENE.md. `wetfront explain` shows what a scene calls for.
-
-[geometry]                               # a survey: lines of points, from left to right; sides: top, base, left, right
+const std::string body =
+    R"toml([geometry]                               # a survey: lines of points, from left to right; sides: top, base, left, right
 profile = { surface = [["0 m", "1 m"], ["3 m", "1 m"], ["9 m", "4.2 m"], ["12 m", "4.2 m"]], bedrock = [["0 m", "0 m"], ["3 m", "0 m"], ["9 m", "3.2 m"], ["12 m", "3.2 m"]], cells_along = 48, cells_over = 5, room = "1 m" }
 # room: height of the empty cells above the surface that the sand may slide into
 
@@ -116,7 +109,7 @@ reason = "it fails, and what slides comes to rest"
 }  // namespace
 
 std::string slide_template(const std::string& name) {
-  return headed_template(name) + body;
+  return headed_template(name, "Rain soaks this slope until it fails; the slide is followed until it rests.") + body;
 }
 
 }  // namespace wetfront::verification

@@ -127,9 +127,9 @@ std::string verdict_on_paper(const Change& failure) {
 reports::Table table_of(const std::vector<RainOutcome>& rain) {
   const auto gauges = gauges_of(rain);
   reports::Table table{"What rain of each intensity does", section, "", {"I/k_s"}, {}};
+  const Change failure = change_of_failure(rain);
   table.caption = sentence("The order of wetting", change_of_wetting(rain)) + " " +
-                  sentence("The type of failure", change_of_failure(rain)) + " " +
-                  verdict_on_paper(change_of_failure(rain)) +
+                  sentence("The type of failure", failure) + " " + verdict_on_paper(failure) +
                   " Deep or shallow: by the depth of what had moved when the slope failed, over the thickness; one "
                   "half parts them.";
   for (const char* title : {"wet first", "surface refuses rain [s]", "fails at [s]", "type", "depth [-]", "from x [m]",
