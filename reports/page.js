@@ -61,7 +61,7 @@
       const [from, to] = this.range(a, true), row = this.figure.querySelector(".files");
       if (!row || !(to / from >= 10)) return null;
       const button = document.createElement("button");
-      button.className = "kind";
+      button.className = "axis-kind";
       button.dataset.axis = a;
       button.addEventListener("click", () => this.changeKind(a));
       this.name(button, this.data[a].log);

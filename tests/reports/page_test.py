@@ -182,7 +182,9 @@ class WithJavaScript(Page, unittest.TestCase):
         self.assertEqual(self.chromium.get_log("browser"), [])
 
     def test_an_axis_changes_its_kind(self):
-        button = self.only("#figure-error_over_cost .kind[data-axis=x]")
+        button = self.only("#figure-error_over_cost .axis-kind[data-axis=x]")
+        self.assertEqual(button.value_of_css_property("cursor"), "pointer")
+        self.assertNotEqual(self.only("header .kind").value_of_css_property("cursor"), "pointer", "no button")
         self.assertEqual(button.text, "x: log")
         self.chromium.execute_script("arguments[0].scrollIntoView({block: 'center'})", button)
         for script in self.all("figure > script"):  # within a decade there is nothing to choose
