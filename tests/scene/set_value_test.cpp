@@ -82,6 +82,15 @@ TEST(SetValue, NothingLeavesAKeyOut) {
   EXPECT_EQ(with("soil.sand.retention.law="), replaced("{  air", "{ law = \"van-genuchten\", air"));
 }
 
+TEST(SetValue, NothingLeavesOneOfSeveralSectionsOut) {
+  EXPECT_EQ(with("soil[clay 1.2]="), replaced("", "[[soil]]\nname = \"clay 1.2\"\nporosity = 0.5\n"));
+  EXPECT_EQ(with("stage[0]="), replaced("", "[[stage]]\nscheme = \"seepage\"\nuntil = \"25 % of filling\"\n"));
+  const std::string below = text + "[[soil]]\nname = \"silt\"\n[soil.retention]\nlaw = \"van-genuchten\"\n# of what\n";
+  EXPECT_EQ(with_value(below, "scene.toml", read_setting("soil.silt=")), text + "# of what\n");
+  EXPECT_THAT(refusal("soil[sand]=0.4"), HasSubstr("this is a section"));
+  EXPECT_THAT(refusal("soil="), HasSubstr("it is not said which [[soil]] is meant"));
+}
+
 TEST(SetValue, APathThatLeadsNowhereIsRefusedWithWhatThereIs) {
   EXPECT_EQ(refusal("rain.intensty=1"),
             "--set rain.intensty: there is no 'intensty' in [rain] (known are side, intensity, series or csv). Did you "

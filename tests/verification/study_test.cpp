@@ -316,6 +316,33 @@ TEST(Effects, ASentenceSaysWhetherAnEventIsGoneOrNew) {
               HasSubstr("Without it there is a time of ponding, otherwise none."));
 }
 
+/// The sentence gives the outcome that makes an effect needed, also where another, on which the mesh leaves more open,
+/// changes more; a change is told against a gate of the scene, or with what would be noticed.
+TEST(Effects, ASentenceNamesTheOutcomeThatDecides) {
+  const Scene scene = read_scene(seed);
+  const auto with = [](double pressure, double front, double water) {
+    PointResult out;
+    out.candidate = {{"pressure", "highest pressure", "Pa", pressure},
+                     {"front_position@0", "front", "m", front},
+                     {"stored_water@0", "stored water", "m", water}};
+    return out;
+  };
+  const EffectChange left_out{"inertia of the water", true, "seepage", {}};
+  const PointResult base = with(1000, 0.5, 1), finer = with(9000, 0.5, 1);
+  const auto all = influences(scene, base, finer, with(6000, 0.6, 1));
+  EXPECT_EQ(overall_need(all), Need::needed);
+  EXPECT_THAT(effect_sentence(left_out, base, all), HasSubstr("Without it front changes from 0.5 to 0.6 m, "));
+  EXPECT_THAT(effect_sentence(left_out, base, all), HasSubstr(" times what is tolerated; no other outcome says so."));
+  const auto open = influences(scene, base, finer, with(6000, 0.5, 1));
+  EXPECT_THAT(
+      effect_sentence(left_out, base, open),
+      HasSubstr("undecided. Without it highest pressure changes from 1000 to 6000 Pa (1e+02 Pa would be noticed)"
+                "; no other outcome says so. Finer cells change it by 8e+03 Pa."));
+  const auto none = influences(scene, base, base, with(1000, 0.5, 1.0001));
+  EXPECT_THAT(effect_sentence(left_out, base, none),
+              HasSubstr("could be left out. Without it stored water changes by 0.0001 m (0.01 m would be noticed)"));
+}
+
 /// Contact is tried where a scene has it; what cannot be taken apart is said with its reason.
 TEST(Effects, ContactIsTriedAndTheInseparableNamed) {
   const std::string path = WETFRONT_SOURCE_DIR "/verification/cases/moriwaki_flume/contact.toml";

@@ -122,8 +122,8 @@ class Editor {
     const Entry* entry = nullptr;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       at = in_list(at, i);
+      if (i == steps_.size()) return without_section(*at);
       if (at->kind == Value::Kind::array) {
-        if (i == steps_.size()) break;
         at = item(*at, steps_[i]);
         entry = nullptr;
         continue;
@@ -135,6 +135,7 @@ class Editor {
       section_ += (section_.empty() ? "" : ".") + steps_[i];
       at = &entry->value;
     }
+    if (in_several(*at)) refuse_which(*at);
     if (setting_.value.empty()) return without(*at, entry);
     unit_ = number_and_unit(at->text).unit;
     if (at->kind == Value::Kind::table && setting_.value.front() != '{')
@@ -153,18 +154,27 @@ class Editor {
 
   /// Into the table of a list that step i tells, or into the only one. Moves past that step.
   const Value* in_list(const Value* at, std::size_t& i) const {
-    if (at->kind != Value::Kind::array || at->items.empty() || at->items.front().kind != Value::Kind::table) return at;
+    if (!in_several(*at)) return at;
     if (const auto index = chosen(*at, steps_[i])) {
       at = &at->items[*index];
-      if (++i == steps_.size())
+      if (++i == steps_.size() && !setting_.value.empty())
         refuse(setting_.path, {"this is a section", "only values can be set", "Name a key in it."});
       return at;
     }
     const bool number = std::ranges::all_of(steps_[i], [](unsigned char c) { return std::isdigit(c); });
     if (at->items.size() == 1 && !number) return &at->items.front();
+    refuse_which(*at);
+  }
+
+  /// A list of sections.
+  static bool in_several(const Value& value) {
+    return value.kind == Value::Kind::array && !value.items.empty() && value.items.front().kind == Value::Kind::table;
+  }
+
+  [[noreturn]] void refuse_which(const Value& list) const {
     refuse(setting_.path,
-           {"it is not said which [[" + section_ + "]] is meant", "the scene has " + std::to_string(at->items.size()),
-            "Write " + one_of(*at, section_) + " and then the key."});
+           {"it is not said which [[" + section_ + "]] is meant", "the scene has " + std::to_string(list.items.size()),
+            "Write " + one_of(list, section_) + " and then the key."});
   }
 
   const Value* item(const Value& list, const std::string& step) const {
@@ -236,6 +246,30 @@ class Editor {
     if (after != std::string::npos && text_[after] == ',') return replaced(from, after + 1, "");
     const std::size_t comma = text_.find_last_not_of(" \t", from - 1);
     return replaced(comma != std::string::npos && text_[comma] == ',' ? comma : from, to, "");
+  }
+
+  /// Without one of several sections, `tolerance[front_position]`: its header, keys and sections below it.
+  std::string without_section(const Value& table) const {
+    const std::size_t place = offset(text_, table.place);
+    const std::size_t start = text_.rfind('\n', place) == std::string::npos ? 0 : text_.rfind('\n', place) + 1;
+    const std::size_t end = std::min(end_of_line(text_, end_of(table)) + 1, text_.size());
+    const std::string own = "[" + section_ + ".", list = "[[" + section_ + ".";
+    bool scattered = text_.compare(start, 2, "[[") != 0;
+    for (std::size_t at = end_of_line(text_, start) + 1; at < end; at = end_of_line(text_, at) + 1)
+      scattered = scattered || (text_[at] == '[' && text_.compare(at, own.size(), own) != 0 &&
+                                text_.compare(at, list.size(), list) != 0);
+    if (scattered)
+      refuse(setting_.path, {"this section cannot be left out",
+                             "it is not written in one piece under its [[" + section_ + "]]", "Leave out its keys."});
+    return replaced(start, end, "");
+  }
+
+  /// Where the last key of a section ends, as bytes before it.
+  std::size_t end_of(const Value& value) const {
+    std::size_t last = offset(text_, value.end);
+    for (const Entry& entry : value.entries) last = std::max(last, end_of(entry.value));
+    for (const Value& inner : value.items) last = std::max(last, end_of(inner));
+    return last;
   }
 
   const std::string& text_;

@@ -9,12 +9,12 @@ namespace wetfront::verification {
 namespace {
 
 /// The narrowest gate on what the outcome is about, in its unit; without one 1 % of it.
-double tolerance_on(const Scene& scene, const Outcome& outcome) {
+void set_tolerance(const Scene& scene, const Outcome& outcome, Influence& influence) {
   const double gate = gate_on(scene, outcome.name.substr(0, outcome.name.find_first_of("@:")), outcome.value);
-  if (gate > 0) return gate;
+  influence.gated = gate > 0;
   // Pressures near zero: half of what counts as arrival (compare/events.h). Times near zero: a thousandth of the run.
   const double least = outcome.unit == "Pa" ? 100 : outcome.unit == "s" ? 1e-3 * timeline(scene).end() : 0;
-  return std::max(0.01 * std::abs(outcome.value), least);
+  influence.tolerance = influence.gated ? gate : std::max(0.01 * std::abs(outcome.value), least);
 }
 
 }  // namespace
@@ -29,7 +29,8 @@ std::vector<Influence> influences(const Scene& scene, const PointResult& base, c
     one.unit = outcome.unit;
     const double other = value_of(changed.candidate, outcome.name), mesh = value_of(finer.candidate, outcome.name);
     if (std::isnan(outcome.value) && std::isnan(other)) continue;
-    one.tolerance = tolerance_on(scene, outcome);
+    set_tolerance(scene, outcome, one);
+    one.value = outcome.value;
     one.change = other - outcome.value;
     one.uncertainty = std::abs(mesh - outcome.value);
     one.vanishes = std::isnan(other);

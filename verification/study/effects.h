@@ -43,9 +43,11 @@ std::vector<EffectChange> affordable(const Scene& scene, std::vector<EffectChang
 enum class Need { needed, not_needed, undecided, unknown };
 struct Influence {
   std::string outcome, unit;
+  double value = 0;        ///< of the scene as it is
   double change = 0;       ///< of the outcome, in its unit
   double uncertainty = 0;  ///< of the change: what the mesh leaves open
   double tolerance = 0;    ///< below which nobody would notice: the scene's gate, or 1 % of the outcome
+  bool gated = false;      ///< the tolerance is a gate of the scene
   Need need = Need::unknown;
   bool vanishes = false;  ///< an event that happens in the scene as it is only
   bool appears = false;   ///< one that happens in the changed run only

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 namespace wetfront::verification {
 namespace {
@@ -33,10 +34,13 @@ double ratio(const Influence& one) {
   return std::abs(one.change) / std::max(one.tolerance, 1e-300);
 }
 
-/// The influence that is largest in terms of its tolerance; an event that is there or not is beyond any.
-const Influence& largest(const std::vector<Influence>& all) {
-  return *std::ranges::max_element(all, {},
-                                   [](const Influence& one) { return std::isnan(one.change) ? 1e300 : ratio(one); });
+/// The outcome on which a verdict rests: of those that share it the one that changes most in terms of its tolerance;
+/// an event that is there or not is beyond any change.
+const Influence& deciding(const std::vector<Influence>& all) {
+  const Need need = overall_need(all);
+  return *std::ranges::max_element(all, {}, [need](const Influence& one) {
+    return std::pair(one.need == need, std::isnan(one.change) ? 1e300 : ratio(one));
+  });
 }
 
 /// "-" for what is not there.
@@ -54,17 +58,38 @@ std::string named(const std::string& outcome) {
   return outcome.starts_with("p > ") ? "the time when " + outcome : outcome;
 }
 
-std::string tolerances(const Influence& one) {
-  return ratio(one) < 0.01 ? "less than a hundredth of" : fmt::format("{:.2g} times", ratio(one));
+std::string unit_behind(const Influence& one) {
+  return one.unit == "-" ? "" : " " + one.unit;
+}
+
+/// "changes from 0.29 to 0.31 m, 1.4 times what is tolerated".
+std::string change_of(const Influence& one) {
+  const auto number = [](double value) { return fmt::format("{:.4g}", value); };
+  const std::string from = number(one.value), to = number(one.value + one.change);
+  const std::string unit = unit_behind(one);
+  std::string text = from == to ? fmt::format("changes by {:.2g}{}", one.change, unit)
+                                : fmt::format("changes from {} to {}{}", from, to, unit);
+  if (!one.gated) return text + fmt::format(" ({:.2g}{} would be noticed)", one.tolerance, unit);
+  return text + (ratio(one) < 0.01 ? ", less than a hundredth of what is tolerated"
+                                   : fmt::format(", {:.2g} times what is tolerated", ratio(one)));
 }
 
 /// What changes beside an event that is there or not; "" where nothing can be told.
 std::string beside_event(std::vector<Influence> all) {
   std::erase_if(all, [](const Influence& one) { return std::isnan(one.change); });
   if (all.empty()) return "";
-  const Influence& most = largest(all);
-  return fmt::format(" Of what is there with and without it {} changes most, by {:.3g} {}, {} what is tolerated.",
-                     named(most.outcome), most.change, most.unit, tolerances(most));
+  const Influence& most = deciding(all);
+  return fmt::format(" Of what is there with and without it {} {}.", named(most.outcome), change_of(most));
+}
+
+/// What is to be said of the other outcomes.
+std::string others(const std::vector<Influence>& all) {
+  if (all.size() < 2) return "";
+  const Need need = overall_need(all);
+  if (need == Need::not_needed) return "; other outcomes by less";
+  const auto same = std::ranges::count(all, need, &Influence::need) - 1;
+  return same == 0 ? "; no other outcome says so"
+                   : fmt::format("; so do {} of {} other outcomes", same, all.size() - 1);
 }
 
 std::string share(double with, double without) {
@@ -81,7 +106,7 @@ std::string effect_sentence(const EffectChange& change, const PointResult& resul
     return fmt::format("{} was not tried: about {:.2g} CPU-s, more than --budget, on four times as large cells, too.",
                        subject, result.expected_cpu);
   if (all.empty()) return subject + " could not be tried: " + result.message;
-  const Influence& most = largest(all);
+  const Influence& most = deciding(all);
   const Need need = overall_need(all);
   const std::string doing = change.called_for ? "Without it" : "With it";
   std::string text =
@@ -93,10 +118,9 @@ std::string effect_sentence(const EffectChange& change, const PointResult& resul
   else if (most.appears)
     text += fmt::format("{} there is a {}, otherwise none.{}", doing, named(most.outcome), beside_event(all));
   else
-    text += fmt::format("{} {} changes by {:.3g} {}, {} what is tolerated{}.", doing, named(most.outcome), most.change,
-                        most.unit, tolerances(most), all.size() > 1 ? ", other outcomes by less" : "");
+    text += fmt::format("{} {} {}{}.", doing, named(most.outcome), change_of(most), others(all));
   if (need == Need::undecided && !std::isnan(most.change))
-    text += fmt::format(" Finer cells change it by {:.2g} {}.", most.uncertainty, most.unit);
+    text += fmt::format(" Finer cells change it by {:.2g}{}.", most.uncertainty, unit_behind(most));
   if (change.cells != 1) text += fmt::format(" (Tried on cells {:g} times as large, for its cost.)", 1 / change.cells);
   return text;
 }
