@@ -82,7 +82,10 @@ TEST(SetValue, NothingLeavesAKeyOut) {
   EXPECT_EQ(with("soil.sand.retention.law="), replaced("{  air", "{ law = \"van-genuchten\", air"));
 }
 
-TEST(SetValue, NothingLeavesOneOfSeveralSectionsOut) {
+TEST(SetValue, NothingLeavesASectionOut) {
+  const std::string geometry = "[geometry]\ncolumn = { height = \"1 m\", cells = 40 }\n";
+  EXPECT_EQ(with("geometry="), replaced("", geometry));
+  EXPECT_EQ(with("skeleton="), text);
   EXPECT_EQ(with("soil[clay 1.2]="), replaced("", "[[soil]]\nname = \"clay 1.2\"\nporosity = 0.5\n"));
   EXPECT_EQ(with("stage[0]="), replaced("", "[[stage]]\nscheme = \"seepage\"\nuntil = \"25 % of filling\"\n"));
   const std::string below = text + "[[soil]]\nname = \"silt\"\n[soil.retention]\nlaw = \"van-genuchten\"\n# of what\n";

@@ -343,6 +343,43 @@ TEST(Effects, ASentenceNamesTheOutcomeThatDecides) {
               HasSubstr("could be left out. Without it stored water changes by 0.0001 m (0.01 m would be noticed)"));
 }
 
+/// What an effect's change writes is a scene: no case of the repository is refused with it.
+TEST(Effects, EveryChangeOfEveryCaseIsAScene) {
+  std::size_t tried = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(WETFRONT_SOURCE_DIR "/verification/cases")) {
+    if (file.path().extension() != ".toml") continue;
+    const std::string path = file.path().string();
+    std::vector<EffectChange> changes;
+    try {
+      changes = effect_changes(read_scene(path));
+    } catch (const SceneError&) {
+      continue;  // a mesh of the user's own, or what is no scene
+    }
+    for (const EffectChange& change : changes) {
+      if (!change.by_nature.empty()) continue;
+      EXPECT_NO_THROW(read_scene(path, change.point.settings)) << path << ": " << change.point.name;
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 200u);
+}
+
+/// What follows a skeleton that deforms goes with it.
+TEST(Effects, ARigidSkeletonHasNoRidersAndNoPictures) {
+  const std::string path = WETFRONT_SOURCE_DIR "/verification/cases/deforming_column/scene.toml";
+  std::vector<Setting> settings{{"rider[+]", "{ name = \"D-1\", at = [\"0.01 m\", \"0.5 m\"] }"},
+                                {"rider[+]", "{ name = \"D-2\", at = [\"0.01 m\", \"0.8 m\"] }"},
+                                {"skeleton.locking", "b-bar"},
+                                {"stage[0].picture_every", "100 s"}};
+  const Scene scene = read_scene(path, settings);
+  ASSERT_EQ(scene.riders.size(), 2u);
+  const auto changes = effect_changes(scene);
+  const auto rigid = std::ranges::find(changes, "deformation of the skeleton", &EffectChange::effect);
+  ASSERT_NE(rigid, changes.end());
+  settings.insert(settings.end(), rigid->point.settings.begin(), rigid->point.settings.end());
+  EXPECT_TRUE(read_scene(path, settings).riders.empty());
+}
+
 /// Contact is tried where a scene has it; what cannot be taken apart is said with its reason.
 TEST(Effects, ContactIsTriedAndTheInseparableNamed) {
   const std::string path = WETFRONT_SOURCE_DIR "/verification/cases/moriwaki_flume/contact.toml";

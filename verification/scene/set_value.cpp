@@ -240,21 +240,20 @@ class Editor {
     const bool own_line = text_.find_first_not_of(" \t", start) == from;
     if (own_line && (value.kind != Value::Kind::table || text_[from] != '['))
       return replaced(start, std::min(end_of_line(text_, to) + 1, text_.size()), "");
-    if (text_[offset(text_, value.place)] == '[' && value.kind == Value::Kind::table)
-      refuse(setting_.path, {"a whole section cannot be left out", "only keys can", "Leave out its keys."});
+    if (text_[offset(text_, value.place)] == '[' && value.kind == Value::Kind::table) return without_section(value);
     std::size_t after = text_.find_first_not_of(" \t", to);
     if (after != std::string::npos && text_[after] == ',') return replaced(from, after + 1, "");
     const std::size_t comma = text_.find_last_not_of(" \t", from - 1);
     return replaced(comma != std::string::npos && text_[comma] == ',' ? comma : from, to, "");
   }
 
-  /// Without one of several sections, `tolerance[front_position]`: its header, keys and sections below it.
+  /// Without a section, `tolerance[front_position]` of several: its header, keys and sections below it.
   std::string without_section(const Value& table) const {
     const std::size_t place = offset(text_, table.place);
     const std::size_t start = text_.rfind('\n', place) == std::string::npos ? 0 : text_.rfind('\n', place) + 1;
     const std::size_t end = std::min(end_of_line(text_, end_of(table)) + 1, text_.size());
     const std::string own = "[" + section_ + ".", list = "[[" + section_ + ".";
-    bool scattered = text_.compare(start, 2, "[[") != 0;
+    bool scattered = text_[start] != '[';
     for (std::size_t at = end_of_line(text_, start) + 1; at < end; at = end_of_line(text_, at) + 1)
       scattered = scattered || (text_[at] == '[' && text_.compare(at, own.size(), own) != 0 &&
                                 text_.compare(at, list.size(), list) != 0);

@@ -12,7 +12,7 @@ struct Setting {
   /// `gravity[1]`.
   std::string path;
   /// As in a scene, without the quotation marks. A bare number keeps the unit that the scene writes; nothing leaves the
-  /// key out, or one of several sections: `tolerance[front_position]`.
+  /// key or the section out, or one of several: `tolerance[front_position]`.
   std::string value;
 };
 

@@ -96,6 +96,8 @@ class Changes {
     add("deformation of the skeleton", true, "a rigid skeleton", rigid());
     if (has_events(scene_))
       found_.back().by_nature = "the scene asks for failure or rest, which a rigid skeleton does not know";
+    else if (!scene_.water)
+      found_.back().by_nature = "the scene is dry, so that nothing else is computed";
     const bool bounded = std::ranges::any_of(scene_.soils, [](const Soil& soil) { return soil.strength.has_value(); });
     if (bounded)
       add("plasticity", true, "elastic soils", for_soils("strength", ""));
@@ -163,11 +165,14 @@ class Changes {
     for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
       if (scene_.boundaries[i].skeleton && !scene_.boundaries[i].water)
         settings.push_back({side(i) + "water", "impermeable"});  // a side must say something
-      settings.push_back({side(i) + "skeleton", ""});
+      for (const char* key : {"velocity", "base_friction", "load", "skeleton"}) settings.push_back({side(i) + key, ""});
     }
     for (std::size_t i = 0; i < scene_.stages.size(); ++i)
-      for (const char* key : {"skeleton", "coupling_tolerance", "unbalanced_ratio", "local_damping"})
+      for (const char* key : {"skeleton", "coupling_tolerance", "unbalanced_ratio", "relaxation_damping",
+                              "local_damping", "picture_every"})
         settings.push_back({"stage[" + std::to_string(i) + "]." + key, ""});
+    for (std::size_t i = scene_.riders.size(); i-- > 0;) settings.push_back({"rider[" + std::to_string(i) + "]", ""});
+    settings.push_back({"skeleton", ""});
     if (stores_skeleton()) settings.push_back({"reference.skeleton_storage", ""});
     return settings;
   }

@@ -1,5 +1,9 @@
 #include "verification/study/scheme_settings.h"
 
+#include "verification/scene/keys.h"
+
+#include <algorithm>
+
 namespace wetfront::verification {
 
 bool controls_its_error(const std::string& scheme) {
@@ -12,9 +16,12 @@ std::string last_stage(const Scene& scene) {
 
 std::vector<Setting> scheme_settings(const Scene& scene, const std::string& scheme, const std::string& integrator) {
   const std::string stage = last_stage(scene);
-  std::vector<Setting> settings{{stage + "time_integrator", integrator}};
+  std::vector<Setting> settings;
+  for (const Key* key : keys_of("stage"))  // what counts with other schemes only
+    if (key->with_key == "scheme" && std::ranges::find(key->with_choices, scheme) == key->with_choices.end())
+      settings.push_back({stage + key->name, ""});
+  settings.push_back({stage + "time_integrator", integrator});
   if (!controls_its_error(scheme)) {
-    settings.push_back({stage + "time_tolerance", ""});
     if (deforms(scene) && scene.stages.back().motion.quasi_static) {
       for (const char* key : {"coupling_tolerance", "unbalanced_ratio", "relaxation_damping"})
         settings.push_back({stage + key, ""});
