@@ -253,6 +253,16 @@ TEST_F(CommandLine, ASlopeOfTwoSoilsSlidesUntilItRests) {
     EXPECT_THAT(result, HasSubstr(part));
 }
 
+/// `explain` and `check` take values set anew as `run` does: what is planned is the scene that would be run.
+TEST_F(CommandLine, ExplainAndCheckTakeValuesSetAnew) {
+  const std::string seed = cases + "seed_column/scene_3e-5.toml";
+  EXPECT_THAT(wetfront("explain " + seed + " --set geometry.column.cells=10").text, HasSubstr(" 10 cells"));
+  EXPECT_EQ(wetfront("check " + seed + " --set rain.intensity=2e-5").code, 0);
+  const Output refused = wetfront("check " + seed + " --set soil.sand.porosity=1.5");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.text, HasSubstr("porosity"));
+}
+
 TEST_F(CommandLine, HelpListsTheCommandsAndExitCodes) {
   const Output output = wetfront("--help");
   EXPECT_EQ(output.code, 0);

@@ -31,11 +31,11 @@ std::string checked(Scene scene) {
 
 }  // namespace
 
-int check(const Paths& scenes) {
+int check(const Paths& scenes, const std::vector<Setting>& settings) {
   int code = 0;
   for (const auto& path : scenes) {
     try {
-      fmt::print("{}: {}\n", path.string(), checked(read_scene(path)));
+      fmt::print("{}: {}\n", path.string(), checked(read_scene(path, settings)));
     } catch (const SceneError& error) {
       for (const std::string& message : error.messages) fmt::print(stderr, "{}\n", message);
       code = static_cast<int>(Exit::bad_input);

@@ -2,6 +2,7 @@
 
 #include "mpm/coupling/strength_reduction.h"
 #include "verification/run/run_scene.h"
+#include "verification/scene/set_value.h"
 
 #include <filesystem>
 #include <string>
@@ -26,8 +27,9 @@ struct RunRequest {
   std::filesystem::path study;        ///< where a study of accuracy is kept; empty: out/study_accuracy_<scene>
 };
 int run(const Paths& scenes, const std::filesystem::path& out, const RunRequest& request);
-int explain(const Paths& scenes);
-int check(const Paths& scenes);
+/// With values of the scenes set anew (scene/set_value.h).
+int explain(const Paths& scenes, const std::vector<Setting>& settings = {});
+int check(const Paths& scenes, const std::vector<Setting>& settings = {});
 int reference(const std::filesystem::path& scene, const std::filesystem::path& out, const ReferenceStore& store);
 /// A result folder again from its result.json; of a folder that holds several, the page over all of them.
 int report(const std::filesystem::path& folder);

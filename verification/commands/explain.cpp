@@ -10,9 +10,9 @@
 
 namespace wetfront::verification::commands {
 
-int explain(const Paths& scenes) {
+int explain(const Paths& scenes, const std::vector<Setting>& settings) {
   for (const auto& path : scenes) {
-    const Scene scene = read_scene(path);
+    const Scene scene = read_scene(path, settings);
     if (const auto lacking = mpm_lacks(scene); !lacking.empty()) {
       if (!scene.reference) throw SceneError(lacking);
       fmt::print("{}\n\nonly the reference can run this scene:\n", scene.title);

@@ -3,6 +3,7 @@
 #include "verification/commands/commands.h"
 #include "verification/run/version.h"
 #include "verification/scene/read.h"
+#include "verification/scene/set_value.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,6 +17,7 @@
 namespace {
 
 namespace commands = wetfront::verification::commands;
+using wetfront::verification::read_settings;
 
 constexpr const char* footer = R"(Examples:
   wetfront run verification/cases/seed_column/scene_3e-5.toml
@@ -41,6 +43,7 @@ int guarded(const std::function<int()>& command) {
 
 struct Arguments {
   commands::Paths scenes;
+  std::vector<std::string> settings;
   std::filesystem::path scene, folder, out, declaration;
   std::string name, suite, only, accuracy;
   bool resume = false, page = false, slide = false, no_store = false, heavy = false;
@@ -85,6 +88,14 @@ void add_store(CLI::App* command, Arguments& arguments) {
                                      "folder of computed references, taken again when the problem and the code are the "
                                      "same (default out/.references)");
   command->add_flag("--no-store", arguments.no_store, "compute every reference anew and keep none")->excludes(folder);
+}
+
+CLI::Option* add_settings(CLI::App* command, std::vector<std::string>& settings) {
+  return command
+      ->add_option("--set", settings,
+                   "PATH=VALUE: a value of the scene set anew, e.g. rain.intensity=2e-5; no value leaves a key or "
+                   "section out")
+      ->allow_extra_args(false);
 }
 
 CLI::Option* add_scenes(CLI::App* command, Arguments& arguments) {
@@ -138,9 +149,8 @@ int main(int argc, char** argv) {
   auto* kept_study =
       run->add_option("--study", run_request.study, "folder of that study (default out/study_accuracy_<scene>)")
           ->needs("--accuracy");
-  run->add_option("--set", run_request.settings, "PATH=VALUE: a value of the scene set anew, e.g. rain.intensity=2e-5")
-      ->excludes(quantity, kept_study)  // a study is of the scene as its file has it
-      ->allow_extra_args(false);
+  add_settings(run, run_request.settings)
+      ->excludes(quantity, kept_study);  // a study is of the scene as its file has it
   run->add_flag("--ledger", run_request.options.ledger,
                 "also where the differences come from, whatever it costs (unasked where it costs 5 CPU-s or less)");
   run_request.options.ledger_where_cheap = true;
@@ -149,10 +159,14 @@ int main(int argc, char** argv) {
       "not where the differences come from, even where it costs little");
   add_store(run, arguments);
 
-  add_scenes(add("explain", "effects and what called for them, columns, step limits, cost; runs nothing",
-                 [&] { return commands::explain(arguments.scenes); }),
-             arguments);
-  add_scenes(add("check", "read and cross-check only", [&] { return commands::check(arguments.scenes); }), arguments);
+  auto* explain = add("explain", "effects and what called for them, columns, step limits, cost; runs nothing",
+                      [&] { return commands::explain(arguments.scenes, read_settings(arguments.settings)); });
+  auto* check = add("check", "read and cross-check only",
+                    [&] { return commands::check(arguments.scenes, read_settings(arguments.settings)); });
+  for (CLI::App* one : {explain, check}) {
+    add_scenes(one, arguments);
+    add_settings(one, arguments.settings);
+  }
 
   auto* reference = add("reference", "the finite-element solution alone, with its own error",
                         [&] { return commands::reference(arguments.scene, arguments.out, store()); });

@@ -78,8 +78,7 @@ std::optional<Chosen> chosen_by_study(const Scene& scene, const RunRequest& requ
 
 /// The scene as it is to be run: with what was set and, where a study knows, with what reaches the accuracy.
 Scene scene_for(const std::filesystem::path& path, const RunRequest& request, RunOptions& options) {
-  std::vector<Setting> settings;
-  for (const std::string& text : request.settings) settings.push_back(read_setting(text));
+  const std::vector<Setting> settings = read_settings(request.settings);
   Scene scene = read_scene(path, settings);
   if (!(options.accuracy > 0)) return scene;
   if (!settings.empty()) return scene;  // studied as the file has it

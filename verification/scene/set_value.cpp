@@ -311,6 +311,12 @@ Setting read_setting(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+std::vector<Setting> read_settings(const std::vector<std::string>& texts) {
+  std::vector<Setting> settings;
+  for (const std::string& text : texts) settings.push_back(read_setting(text));
+  return settings;
+}
+
 std::string with_value(const std::string& text, const std::string& file, const Setting& setting) {
   const Value root = parse_document(text, file);
   return Editor(text, setting, root).edited();

@@ -19,6 +19,8 @@ struct Setting {
 /// "rain.intensity=2e-5". Throws SceneError where it is none.
 Setting read_setting(const std::string& text);
 
+std::vector<Setting> read_settings(const std::vector<std::string>& texts);
+
 /// `text` with the value in place of the one it has, or with a key or section it lacks. Whether the value makes sense
 /// is the reader's to say. Throws SceneError naming `--set PATH` where the path leads nowhere, with what there is
 /// instead.
