@@ -59,6 +59,7 @@ TEST_F(Rain, ChangesAreFoundBetweenNeighbours) {
   EXPECT_THAT(said, HasSubstr("critical ratio of 0.5 that Lee et al. (2021) read from their runs lies where"));
   EXPECT_EQ(record.tables[0].rows.front().front(), "0.1") << "weak rain first";
   ASSERT_EQ(record.figures.size(), 4u);
+  EXPECT_THAT(record.figures[0].series[1].label, testing::IsEmpty()) << "a gauge stands in the legend once";
   EXPECT_THAT(record.figures[0].series[0].x, ElementsAre(0.1, 0.25, 0.75, 1));
   EXPECT_THAT(record.figures[0].series[0].y,
               ElementsAre(testing::DoubleNear(1, 1e-12), testing::DoubleNear(2, 1e-12), testing::DoubleNear(10, 1e-12),

@@ -67,7 +67,7 @@ Figure of_gauges(const std::vector<RainOutcome>& rain, Figure figure, const std:
                  const std::function<double(const RainOutcome&)>& unit) {
   int colour = 0;
   for (const std::string& gauge : gauges_of(rain)) {
-    Series line{gauge, Series::Style::line, {}, {}, colour}, points{gauge + " ", Series::Style::points, {}, {}, colour};
+    Series line{gauge, Series::Style::line, {}, {}, colour}, points{"", Series::Style::points, {}, {}, colour};
     for (const RainOutcome& one : rain) {
       const double y = outcome(one, name + ":" + gauge) / unit(one);
       if (std::isfinite(y)) line.x.push_back(one.ratio), line.y.push_back(y);
