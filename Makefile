@@ -4,15 +4,18 @@ BUILD := build/release
 JOBS := $(shell nproc)
 SCENES := $(sort $(wildcard verification/cases/seed_column/*.toml)) verification/cases/levee/scene.toml verification/cases/column_collapse/scene.toml \
 	verification/cases/deforming_column/seepage.toml verification/cases/deforming_column/two_velocities_window.toml verification/cases/small_slope/scene.toml verification/cases/moriwaki_flume/scene.toml
+STUDIED := verification/cases/seed_column/scene_3e-5.toml verification/cases/deforming_column/seepage.toml
 FOREIGN := verification/cases/foreign_infiltration
 SUITES := reference hydraulics hard mechanics
 
 .PHONY: report test bench build program docs deps format clean
 
-report: program  ## the main job: both solvers judged by their suites, then the scenes compared -> out/index.html
+report: program  ## the main job: both solvers judged by their suites, the scenes compared, what they need and what accuracy costs -> out/index.html
 	status=0; \
 	for suite in $(SUITES); do $(BUILD)/wetfront verify $$suite || status=$$?; done; \
 	$(BUILD)/wetfront run $(SCENES) || status=$$?; \
+	for scene in $(STUDIED); do $(BUILD)/wetfront study effects $$scene --budget 5 || status=$$?; done; \
+	$(BUILD)/wetfront study accuracy $(firstword $(STUDIED)) --budget 5 || status=$$?; \
 	$(BUILD)/wetfront compare $(FOREIGN)/scene.toml $(FOREIGN)/anura3d.result || [ $$? = 4 ] || status=1; : "4: see its README"; \
 	$(BUILD)/wetfront report out && exit $$status
 

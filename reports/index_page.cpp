@@ -111,6 +111,12 @@ std::vector<Column> columns_told(const std::vector<Run>& runs) {
   return told;
 }
 
+/// What a run is called: its title, and what kind of study it is of that.
+std::string name_of(const Record& record) {
+  const std::string name = record.title.empty() ? record.case_name : record.title;
+  return record.kind == Record{}.kind ? name : name + ": " + record.kind;
+}
+
 std::string matrix(const std::vector<Run>& runs) {
   const std::vector<std::string> quantities = quantities_of(runs);
   std::ostringstream out;
@@ -121,9 +127,9 @@ std::string matrix(const std::vector<Run>& runs) {
   out << "<th class=\"number\">CPU&nbsp;[s]</th></tr></thead><tbody>\n";
   for (const Run& run : runs) {
     out << "<tr data-verdict=\"" << verdict_key(run.record.verdict) << "\"><th scope=\"row\"><a href=\""
-        << html(run.link) << "\">" << html(run.record.title.empty() ? run.record.case_name : run.record.title)
-        << "</a><code>" << html(run.record.case_name) << "</code></th><td data-value=\"" << gravity(run.record.verdict)
-        << "\">" << badge(run.record.verdict) << "</td>";
+        << html(run.link) << "\">" << html(name_of(run.record)) << "</a><code>" << html(run.record.case_name)
+        << "</code></th><td data-value=\"" << gravity(run.record.verdict) << "\">" << badge(run.record.verdict)
+        << "</td>";
     for (const std::string& quantity : quantities) out << cell_html(cell_of(run.record, quantity), run);
     for (const Column& column : told) {
       const auto value = run.record.provenance.find(column.key);

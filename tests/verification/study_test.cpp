@@ -70,6 +70,11 @@ TEST_F(Study, AKilledStudyGoesOnWhereItWas) {
   EXPECT_EQ(after.size(), 3u);
   for (const auto& [name, time] : before) EXPECT_EQ(after.at(name), time) << name << " was computed again";
   EXPECT_TRUE(fs::exists(folder / "study/report.html"));
+  ASSERT_EQ(wetfront("report .").code, 0);
+  const std::string overview = reports::read_whole(folder / "index.html");
+  EXPECT_THAT(overview, HasSubstr("<h2>Studies</h2>")) << "a study is no comparison";
+  EXPECT_THAT(overview, HasSubstr(": parametric study</a>"));
+  EXPECT_THAT(overview, testing::Not(HasSubstr("<h2>Comparisons</h2>")));
 }
 
 TEST_F(Study, JobArraysComputePointsOneByOne) {
@@ -336,7 +341,7 @@ TEST(Effects, ASentenceNamesTheOutcomeThatDecides) {
   const auto open = influences(scene, base, finer, with(6000, 0.5, 1));
   EXPECT_THAT(
       effect_sentence(left_out, base, open),
-      HasSubstr("undecided. Without it highest pressure changes from 1000 to 6000 Pa (1e+02 Pa would be noticed)"
+      HasSubstr("undecided. Without it highest pressure changes from 1000 to 6000 Pa (100 Pa would be noticed)"
                 "; no other outcome says so. Finer cells change it by 8e+03 Pa."));
   const auto none = influences(scene, base, base, with(1000, 0.5, 1.0001));
   EXPECT_THAT(effect_sentence(left_out, base, none),

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,10 +26,17 @@ std::vector<std::filesystem::path> runs_in(const std::filesystem::path& folder) 
   return runs;
 }
 
-/// The runs of a folder, then those of each folder in it: "verify_reference" becomes "verify reference".
+bool is_study(const std::filesystem::path& run) {
+  return reports::read_result(run / "result.json").kind != reports::Record{}.kind;
+}
+
+/// The runs of a folder, its studies, then those of each folder in it: "verify_reference" becomes "verify reference".
 std::vector<reports::RunGroup> groups_in(const std::filesystem::path& folder) {
   std::vector<reports::RunGroup> groups;
-  if (const auto runs = runs_in(folder); !runs.empty()) groups.push_back({"Comparisons", runs});
+  auto runs = runs_in(folder);
+  const auto studies = std::stable_partition(runs.begin(), runs.end(), std::not_fn(is_study));
+  if (studies != runs.begin()) groups.push_back({"Comparisons", {runs.begin(), studies}});
+  if (studies != runs.end()) groups.push_back({"Studies", {studies, runs.end()}});
   std::vector<std::filesystem::path> inner;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.is_directory() && !holds_result(entry.path())) inner.push_back(entry.path());
@@ -36,7 +44,7 @@ std::vector<reports::RunGroup> groups_in(const std::filesystem::path& folder) {
   for (const auto& suite : inner) {
     std::string title = suite.filename().string();
     std::replace(title.begin(), title.end(), '_', ' ');
-    if (const auto runs = runs_in(suite); !runs.empty()) groups.push_back({title, runs});
+    if (const auto cases = runs_in(suite); !cases.empty()) groups.push_back({title, cases});
   }
   return groups;
 }

@@ -69,7 +69,7 @@ std::string change_of(const Influence& one) {
   const std::string unit = unit_behind(one);
   std::string text = from == to ? fmt::format("changes by {:.2g}{}", one.change, unit)
                                 : fmt::format("changes from {} to {}{}", from, to, unit);
-  if (!one.gated) return text + fmt::format(" ({:.2g}{} would be noticed)", one.tolerance, unit);
+  if (!one.gated) return text + fmt::format(" ({:.3g}{} would be noticed)", one.tolerance, unit);
   return text + (ratio(one) < 0.01 ? ", less than a hundredth of what is tolerated"
                                    : fmt::format(", {:.2g} times what is tolerated", ratio(one)));
 }
@@ -103,7 +103,7 @@ std::string effect_sentence(const EffectChange& change, const PointResult& resul
   subject[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(subject[0])));
   if (!change.by_nature.empty()) return subject + " is needed: " + change.by_nature + ".";
   if (result.left_out())
-    return fmt::format("{} was not tried: about {:.2g} CPU-s, more than --budget, on four times as large cells, too.",
+    return fmt::format("{} was not tried: about {:.3g} CPU-s, more than --budget, on four times as large cells, too.",
                        subject, result.expected_cpu);
   if (all.empty()) return subject + " could not be tried: " + result.message;
   const Influence& most = deciding(all);
