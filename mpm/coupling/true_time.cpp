@@ -28,8 +28,6 @@ constexpr double cycle_with_inertia = 0.75;
 constexpr double small_answer = 10;  // Pa
 /// Nodes this close to zero pressure answer like full ones.
 constexpr double nearly_full = 100;  // Pa
-/// Of Newton's method at a node of several soils: halving alone tells a pressure to round-off in 60.
-constexpr int most_iterations = 60;
 
 }  // namespace
 
@@ -59,6 +57,7 @@ void TrueTimeMotion<dim>::join_own() {
   position_ = &plan.require_on_points("position");
   velocity_ = &plan.require_on_points("velocity");
   brought_ = &plan.provide_on_run(brought_by_water(dim));
+  answer_.emplace(*contents_);
   if (c_.acceleration != nullptr) relative_ = std::make_unique<RelativeInertia<dim>>(plan, c_, *cycle_);
   for (std::size_t cell = 0; cell < plan.fields.grid.cell_count(); ++cell) {
     cells_.push_back({{}, mean_gradients(plan.fields.grid, cell)});
@@ -178,14 +177,6 @@ double TrueTimeMotion<dim>::longest_cycle() const {
   return plan_->stage.step_safety * stable_cycle();
 }
 
-/// Pores around a node as they are on the way, of all soils [m^dim].
-template <int dim>
-double TrueTimeMotion<dim>::room_of(std::size_t node) const {
-  double room = 0;
-  for (const std::vector<double>& of_soil : pores_) room += of_soil[node];
-  return room;
-}
-
 /// f_i += V chi p grad N_i with the mean gradient of the cell and its mean pore stress, the adjoint of the volume that
 /// answer() sees. A soil takes its share V of the cell and its own chi.
 template <int dim>
@@ -200,7 +191,7 @@ void TrueTimeMotion<dim>::add_pore_force() {
     double push = 0, known = 0;
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       const auto node = static_cast<std::size_t>(block.nodes[i]);
-      if (!(room_of(node) > 0)) continue;  // reached since the flow was last solved
+      if (!(answer_->room(node) > 0)) continue;  // reached since the flow was last solved
       known += cell.share[i];
       push += cell.share[i] * content.pore_stress((*c_.pressure)[0][node]).value;
     }
@@ -211,56 +202,6 @@ void TrueTimeMotion<dim>::add_pore_force() {
   }
 }
 
-/// p_i <- content^-1(P_i' content(p_i)/P_i): the water of a node stays while its pores change from P_i' to P_i.
-template <int dim>
-double TrueTimeMotion<dim>::answered(std::size_t node) const {
-  const double p = (*c_.pressure)[0][node];
-  double now = 0, room = 0, grown = 0, most = 0;
-  int soils = 0;
-  const SoilContent* content = nullptr;
-  for (std::size_t r = 0; r < contents_->size(); ++r) {
-    const double pores = pores_[r][node];
-    if (pores == 0 && grown_[r][node] == 0) continue;
-    ++soils;
-    if (content == nullptr || pores > most) content = &(*contents_)[r], most = pores;
-    now += pores * (*contents_)[r].at(p).value;
-    room += pores;
-    grown += grown_[r][node];
-  }
-  if (!(room > 0) || grown == 0) return p;
-  // As a difference, so that what the table's inverse is off does not add up.
-  const double held = now / room;
-  const double by_one = p + content->pressure_at(held * room / (room + grown)) - content->pressure_at(held);
-  return soils == 1 ? by_one : answered_by_several(node, by_one);
-}
-
-/// The same where soils meet: sum_r P_r content_r(p_i) = sum_r P_r' content_r(p_i'), by Newton's method between bounds.
-template <int dim>
-double TrueTimeMotion<dim>::answered_by_several(std::size_t node, double guess) const {
-  double held = 0, low = (*c_.pressure)[0][node], high = std::numeric_limits<double>::infinity();
-  for (std::size_t r = 0; r < contents_->size(); ++r) held += pores_[r][node] * (*contents_)[r].at(low).value;
-  for (const SoilContent& content : *contents_) low = std::min(low, content.pressure_at(0));  // the driest it can tell
-  double p = std::max(guess, low);
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    double excess = -held, slope = 0, room = 0;
-    for (std::size_t r = 0; r < contents_->size(); ++r) {
-      const double pores = pores_[r][node] + grown_[r][node];
-      const ValueAndSlope now = (*contents_)[r].at(p);
-      excess += pores * now.value;
-      slope += pores * now.slope;
-      room += pores;
-    }
-    if (std::abs(excess) <= std::numeric_limits<double>::epsilon() * room) break;
-    (excess > 0 ? high : low) = p;
-    double next = p - excess / slope;
-    if (!(next >= low && next <= high)) next = std::isinf(high) ? p + std::abs(p) + 1 : 0.5 * (low + high);
-    const double change = next - p;
-    p = next;
-    if (std::abs(change) <= 1e-12 * std::abs(p)) break;  // round-off
-  }
-  return p;
-}
-
 /// What the pores of the nodes have grown by since the blocks' volumes were taken.
 template <int dim>
 void TrueTimeMotion<dim>::add_growth() {
@@ -268,32 +209,16 @@ void TrueTimeMotion<dim>::add_growth() {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
     const double growth = volume_of(block) - block_volume_[b];
-    std::vector<double>& grown = grown_[static_cast<std::size_t>(block.soil)];
     for (int i = 0; i < cell_nodes<dim>; ++i)
-      grown[static_cast<std::size_t>(block.nodes[i])] += cells_[block.cell].share[i] * growth;
+      answer_->grow(block.soil, block.nodes[i], cells_[block.cell].share[i] * growth);
   }
-}
-
-template <int dim>
-void TrueTimeMotion<dim>::answer() {
-  add_growth();
-  double* p = (*c_.pressure)[0];
-  for (std::size_t i = 0; i < c_.pressure->size(); ++i) p[i] = answered(i);
-  for (std::size_t i = 0; i < c_.pressure->size(); ++i)
-    if (room_of(i) > 0)
-      for (std::size_t r = 0; r < pores_.size(); ++r) pores_[r][i] += grown_[r][i];
-  for (std::vector<double>& of_soil : grown_) std::ranges::fill(of_soil, 0.0);
 }
 
 template <int dim>
 void TrueTimeMotion<dim>::move_undrained() {
   Clock& clock = plan_->clock;
   const Clock whole = clock;
-  const std::size_t nodes = c_.pressure->size();
-  pores_.resize(contents_->size());
-  grown_.assign(contents_->size(), std::vector<double>(nodes));
-  for (std::size_t r = 0; r < pores_.size(); ++r)
-    pores_[r].assign((*c_.pore_volume)[static_cast<int>(r)], (*c_.pore_volume)[static_cast<int>(r)] + nodes);
+  answer_->begin(*c_.pore_volume);
   for (double time = whole.time; time < whole.end;) {
     const double rest = whole.end - time, parts = std::ceil(rest / longest_cycle() * (1 - 1e-9));
     clock.time = time;
@@ -302,7 +227,8 @@ void TrueTimeMotion<dim>::move_undrained() {
     if (clock.time == whole.time && relative_ && relative_->owes()) pay_reaction();
     for (Kernel* kernel : {cycle_->gather, cycle_->accelerate, cycle_->points, cycle_->velocity, cycle_->move})
       kernel->run();
-    answer();
+    add_growth();
+    answer_->take((*c_.pressure)[0]);
     cycle_->migrate->run();
     ++cycles_;
   }

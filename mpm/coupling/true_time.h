@@ -2,6 +2,9 @@
 
 #include "mpm/coupling/relative_inertia.h"
 #include "mpm/coupling/skeleton_of_flow.h"
+#include "mpm/coupling/undrained_answer.h"
+
+#include <optional>
 
 namespace wetfront::mpm {
 
@@ -32,15 +35,11 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
   void join_own() override;
   void measure_cells() override;
   double volume_of(const Block& block) const;
-  double room_of(std::size_t node) const;
   void add_pore_force();
   void move_undrained();
   void pay_reaction();
   void choose_cycles();
   void add_growth();
-  void answer();
-  double answered(std::size_t node) const;
-  double answered_by_several(std::size_t node, double guess) const;
   void weigh_points();
   double stable_cycle() const;
   double longest_cycle() const;
@@ -54,8 +53,8 @@ class TrueTimeMotion : public SkeletonOfFlow<dim> {
   const Column *position_ = nullptr, *velocity_ = nullptr;
   std::unique_ptr<RelativeInertia<dim>> relative_;  ///< null: water goes with the grains but for Darcy's flux
   std::vector<Cell> cells_;
-  std::vector<double> block_volume_;                ///< of the blocks, before they move [m^dim]
-  std::vector<std::vector<double>> pores_, grown_;  ///< nodes, per region [m^dim]
+  std::optional<UndrainedAnswer> answer_;
+  std::vector<double> block_volume_;  ///< of the blocks, before they move [m^dim]
   std::vector<double> start_;
   long cycles_ = 0;
 };
