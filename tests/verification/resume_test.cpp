@@ -154,6 +154,37 @@ TEST_F(Resume, AnInterruptedRunLeavesItsReportAndGoesOn) {
   EXPECT_EQ(left_by(name), left_by("whole"));
 }
 
+// A scheduler ends a point of a job array at its time limit: it is not finished, and goes on when it is asked for
+// again.
+TEST_F(Resume, APointThatWasStoppedIsNotFinishedAndGoesOn) {
+  std::ofstream(folder / run) << rained_on_after_its_slide();
+  const std::string point = "study vary " + run + " --set mpm.points_per_cell=4 --out study --point 0";
+  ASSERT_EQ(wetfront(point).code, 0);
+  const std::string left = "study/" + fs::directory_iterator(folder / "study")->path().filename().string();
+  ASSERT_TRUE(fs::exists(folder / left / "point.json"));
+  const auto whole = left_by(left);
+  bool hit = false;
+  for (double after = 0.2; after < 60 && !hit;
+       after *= 1.3) {  // until it hits the MPM's run and not what lies around it
+    fs::remove_all(folder / "study");
+    const std::string command = "cd " + folder.string() + " && { " WETFRONT_PROGRAM " " + point +
+                                " >said 2>&1 & p=$!; sleep " + std::to_string(after) +
+                                "; kill -TERM $p 2>/dev/null; wait $p; }";
+    const int status = std::system(command.c_str());
+    hit = fs::exists(folder / left / "checkpoint.cbor");
+    if (hit) {
+      EXPECT_EQ(WEXITSTATUS(status), 3) << reports::read_whole(folder / "said");
+    }
+  }
+  ASSERT_TRUE(hit);
+  EXPECT_FALSE(fs::exists(folder / left / "point.json"));
+  EXPECT_NE(wetfront("study vary " + run + " --set mpm.points_per_cell=4 --out study --gather").code, 0);
+  const test::Output on = wetfront(point);
+  EXPECT_EQ(on.code, 0) << on.text;
+  EXPECT_FALSE(std::isnan(resumed_from(on.text))) << on.text;
+  EXPECT_EQ(left_by(left), whole);
+}
+
 // What belongs to another scene is neither taken nor overwritten.
 TEST_F(Resume, AnothersCheckpointIsLeftAlone) {
   fs::create_directories(folder / "out");

@@ -258,6 +258,10 @@ std::vector<std::string> why_given_up(const RunResult& result) {
   return reasons;
 }
 
+CheckpointFile checkpoint_of(const Scene& scene, const std::filesystem::path& folder) {
+  return {folder / "checkpoint.cbor", checkpoint_owner(scene.text)};
+}
+
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options) {
   const double accuracy = options.accuracy > 0 ? options.accuracy : scene.mpm.accuracy;
   if (options.resume && accuracy > 0)
@@ -267,8 +271,7 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
   const Prepared prepared = prepare(scene);
   if (options.ledger) check_ledger(scene, prepared.timeline);
   reports::make_writable(folder);  // before hours are spent on what could not be kept
-  const Stopping stopping{
-      {folder / "checkpoint.cbor", checkpoint_owner(scene.text)}, options.checkpoint_every, options.resume};
+  const Stopping stopping{checkpoint_of(scene, folder), options.checkpoint_every, options.resume};
   RunResult result = accuracy > 0
                          ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))
                          : run_prepared(prepared, options.store, stopping);

@@ -65,6 +65,8 @@ struct RunOptions {
   bool ledger_where_cheap = false;   ///< the same if that is expected to cost little (ledger_of_run.h)
   std::vector<std::string> notes{};  ///< for the log, e.g. why these settings were chosen
 };
+/// Where a run of the scene in `folder` keeps its state.
+CheckpointFile checkpoint_of(const Scene& scene, const std::filesystem::path& folder);
 /// Runs a scene and leaves report.html, result.json, CSV, fields and the exact scene in `folder`.
 RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, const RunOptions& options);
 

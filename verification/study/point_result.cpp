@@ -56,11 +56,23 @@ std::vector<Outcome> all_outcomes(const Scene& scene, const Timeline& times, con
   return all;
 }
 
-void fill(PointResult& result, Scene scene, const std::filesystem::path& folder, const ReferenceStore& store) {
+/// Whether a run of this scene was cut in this folder; of another scene's nothing is left.
+bool was_cut(const Scene& scene, const std::filesystem::path& folder) {
+  const CheckpointFile file = checkpoint_of(scene, folder);
+  std::string note;
+  if (scene.mpm.accuracy <= 0 && read_checkpoint(file, note)) return true;
+  forget_checkpoint(file);
+  return false;
+}
+
+/// False: stopped on the way, as asked.
+bool fill(PointResult& result, Scene scene, const std::filesystem::path& folder, const ReferenceStore& store) {
   scene.comparison.second_mesh = 1;  // a study has points for that
   std::erase_if(scene.comparison.tolerances,
                 [](const Tolerance& gate) { return gate.quantity == "failure_time_mesh"; });
-  const RunResult run = run_scene(scene, folder, {store});
+  RunOptions options{store};
+  options.resume = was_cut(scene, folder);
+  const RunResult run = run_scene(scene, folder, options);
   const Timeline times = timeline(scene);
   result.exit = static_cast<int>(run.exit);
   for (const std::string& reason : why_given_up(run)) result.message += (result.message.empty() ? "" : "; ") + reason;
@@ -70,6 +82,7 @@ void fill(PointResult& result, Scene scene, const std::filesystem::path& folder,
   result.candidate = all_outcomes(scene, times, run.candidate);
   if (run.reference) result.reference = outcomes(scene, times, run.reference->reference.history, run.candidate.history);
   result.findings = run.record.findings;
+  return !run.stopped;
 }
 
 }  // namespace
@@ -94,7 +107,7 @@ PointResult run_point(const std::filesystem::path& path, const StudyPoint& point
   result.hash = point_hash(path, point);
   std::filesystem::remove(folder / "point.json");
   try {
-    fill(result, read_scene(path, point.settings), folder, store);
+    if (!fill(result, read_scene(path, point.settings), folder, store)) return result;  // not finished
   } catch (const std::exception& error) {
     result.exit = static_cast<int>(Exit::bad_input);
     result.message = error.what();
