@@ -37,7 +37,7 @@ class Resume : public test::Program {
     std::map<std::string, std::string> files;
     for (const char* part : {"fields", "figures"})
       for (const auto& entry : fs::directory_iterator(folder / run / part))
-        files[part + ("/" + entry.path().filename().string())] = reports::read_whole(entry.path());
+        files[std::string(part) + "/" + entry.path().filename().string()] = reports::read_whole(entry.path());
     return files;
   }
 
@@ -160,9 +160,9 @@ TEST_F(Resume, APointThatWasStoppedIsNotFinishedAndGoesOn) {
   std::ofstream(folder / run) << rained_on_after_its_slide();
   const std::string point = "study vary " + run + " --set mpm.points_per_cell=4 --out study --point 0";
   ASSERT_EQ(wetfront(point).code, 0);
-  const std::string left = "study/" + fs::directory_iterator(folder / "study")->path().filename().string();
+  const fs::path left = "study" / fs::directory_iterator(folder / "study")->path().filename();
   ASSERT_TRUE(fs::exists(folder / left / "point.json"));
-  const auto whole = left_by(left);
+  const auto whole = left_by(left.string());
   bool hit = false;
   for (double after = 0.2; after < 60 && !hit;
        after *= 1.3) {  // until it hits the MPM's run and not what lies around it
@@ -182,7 +182,7 @@ TEST_F(Resume, APointThatWasStoppedIsNotFinishedAndGoesOn) {
   const test::Output on = wetfront(point);
   EXPECT_EQ(on.code, 0) << on.text;
   EXPECT_FALSE(std::isnan(resumed_from(on.text))) << on.text;
-  EXPECT_EQ(left_by(left), whole);
+  EXPECT_EQ(left_by(left.string()), whole);
 }
 
 // What belongs to another scene is neither taken nor overwritten.
