@@ -8,8 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace wetfront::verification {
 namespace {
@@ -41,11 +43,34 @@ double worst_error(const Motion<2>& motion, double scale, const Position& positi
   return worst;
 }
 
+/// Points of one cloud in the order of where they began: each run keeps them in that of its cells.
+std::vector<std::size_t> as_seeded(const Cloud<2>& cloud) {
+  std::vector<std::size_t> order(cloud.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t p) { return cloud.origin[p]; });
+  return order;
+}
+
 }  // namespace
+
+double apart(const Motion<2>& one, const Motion<2>& other) {
+  double worst = 0;
+  for (std::size_t k = 0; k < one.clouds.size(); ++k) {
+    const auto &a = one.clouds[k], &b = other.clouds.at(k);
+    const auto of_a = as_seeded(a), of_b = as_seeded(b);
+    double squares = 0;
+    for (std::size_t p = 0; p < of_a.size(); ++p)
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        squares += std::pow(a.position[of_a[p]][axis] - b.position[of_b.at(p)][axis], 2);
+    worst = std::max(worst, std::sqrt(squares / static_cast<double>(of_a.size())));
+  }
+  return worst;
+}
 
 ManufacturedMotion axis_aligned_motion(double amplitude) {
   const auto exact = std::make_shared<exact::AxisAlignedSolution>(axis_aligned(2, 0.3, amplitude));
   ManufacturedMotion out;
+  out.scale = amplitude;
   out.problem = [exact](int cells, const mpm::SkeletonScheme& scheme) {
     auto problem =
         dry_problem<2>(rectangle_mesh(1, 1, cells, cells), dry_soil(density, young, 0.3), evenly(period(), 8));
