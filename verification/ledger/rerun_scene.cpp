@@ -18,7 +18,7 @@ Scene without_what_richards_lacks(Scene scene) {
     stage.printed_mass_balance = false;
   }
   for (Soil& soil : scene.soils) soil.elastic.reset(), soil.strength.reset();
-  for (Boundary& boundary : scene.boundaries) boundary.skeleton = {}, boundary.load.reset();
+  for (Boundary& boundary : scene.boundaries) boundary.skeleton = {}, boundary.load.reset(), boundary.traction.reset();
   scene.skeleton = {};
   return scene;
 }

@@ -255,6 +255,10 @@ std::string skeleton_side_text(const Boundary& boundary) {
   }
   if (boundary.load)
     text += (text.empty() ? "" : "; ") + std::string("load") + record_text(boundary.load->value, 1000, "kPa");
+  if (boundary.traction)
+    text += (text.empty() ? "" : "; ") + std::string("traction along x") +
+            record_text((*boundary.traction)[0].value, 1000, "kPa") + ", along y" +
+            record_text((*boundary.traction)[1].value, 1000, "kPa");
   return text;
 }
 

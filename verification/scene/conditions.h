@@ -97,7 +97,8 @@ struct Boundary {
   double least_pressure = 0;    ///< Pa; of a flux out
   std::string partner{};        ///< for what is periodic
   std::optional<SkeletonCondition> skeleton{};
-  std::optional<Record> load{};  ///< pressure on the skeleton, compression-positive [Pa]
+  std::optional<Record> load{};                     ///< pressure on the skeleton, compression-positive [Pa]
+  std::optional<std::array<Record, 2>> traction{};  ///< force on the skeleton per area of the side, along x and y [Pa]
   Origin origin;
 };
 

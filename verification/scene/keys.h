@@ -19,6 +19,7 @@ enum class Takes {
   vector,     ///< a list of two or three quantities
   series,     ///< a list of [time, rain intensity]
   record,     ///< a quantity; or [time, quantity] pairs, or a CSV file with them
+  vectors,    ///< a list of x and y; or [time, x, y] rows, or a CSV file with them
   level,      ///< a quantity; or pairs with one quantity per column, or a CSV file with those columns
   pairs,      ///< a list of lists with one quantity per column, or a CSV file with those columns
   range,      ///< a list of two quantities, ascending

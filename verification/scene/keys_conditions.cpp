@@ -54,6 +54,7 @@ std::vector<Key> condition_keys() {
     {"boundary", "velocity", Takes::vector, "m/s", required, "", "given to the skeleton; moving-x and moving-y take their component and leave the other free", R"(["0 m/s", "-1 mm/s"])", {"-100 m/s", "100 m/s"}, {}, "skeleton", {"moving", "moving-x", "moving-y"}},
     {"boundary", "base_friction", Takes::quantity, "rad", required, "", "angle of friction between body and base", "34 deg", {"0 deg", "89 deg"}, {}, "skeleton", {"contact"}},
     {"boundary", "load", Takes::record, "Pa", optional, "", "pressure on the skeleton, against the outward normal; pairs are joined by straight lines", "10 kPa", {"-1 GPa", "1 GPa"}, {}, "", {}, {{"time", "s"}, {"load", "Pa"}}},
+    {"boundary", "traction", Takes::vectors, "Pa", optional, "", "force on the skeleton per area of the side, along x and y, besides a load; rows are joined by straight lines", R"(["5 kPa", "-10 kPa"])", {"-1 GPa", "1 GPa"}, {}, "", {}, {{"time", "s"}, {"x", "Pa"}, {"y", "Pa"}}},
 
     {"rider", "name", Takes::text, "", required, "", "name of the point", "D-1"},
     {"rider", "at", Takes::vector, "m", required, "", "its place at the start; the nearest material point is followed", R"(["17 m", "5.2 m"])", {"-1000 km", "1000 km"}},

@@ -116,7 +116,7 @@ void read_boundaries(Reading& reading) {
     read_water_condition(reader, boundary, reading);
     read_skeleton_condition(reader, boundary, reading);
     check_partner(reader, boundary);
-    if (!reader.has("water") && !reader.has("skeleton") && !reader.has("load"))
+    if (!reader.has("water") && !reader.has("skeleton") && !reader.has("load") && !reader.has("traction"))
       reader.missing("water", "a boundary must say something about the water or the skeleton");
     if (!repeated) reading.scene.boundaries.push_back(boundary);
     reader.finish();

@@ -157,14 +157,22 @@ void read_skeleton_condition(SectionReader& reader, Boundary& boundary, const Re
     boundary.skeleton = condition;
   }
   if (reader.has("load")) {
-    const Rows rows = read_record(reader, "load", reading.folder());
+    Rows rows = read_record(reader, "load", reading.folder());
+    check_ascending(rows, 0, false, "the times of load");
     if (rows.size() > 0) boundary.load = Record{rows.column[0], rows.column[1]};
   }
+  if (reader.has("traction")) {
+    Rows rows = read_vectors(reader, "traction", reading.folder());
+    check_ascending(rows, 0, false, "the times of traction");
+    if (rows.size() > 0)
+      boundary.traction = {Record{rows.column[0], rows.column[1]}, Record{rows.column[0], rows.column[2]}};
+  }
   if (reading.elastic()) return;
-  for (const char* key : {"skeleton", "load"})
+  for (const char* key : {"skeleton", "load", "traction"})
     reader.unused(key, "every soil of this scene is rigid", "Remove it, or give the soil young and poisson.");
   boundary.skeleton.reset();
   boundary.load.reset();
+  boundary.traction.reset();
 }
 
 }  // namespace wetfront::verification

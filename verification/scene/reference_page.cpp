@@ -39,6 +39,9 @@ std::string takes(const Key& key) {
     case Takes::level:
       return dimension(key.unit) + "; or a list of " + row_of(key) + "; or a CSV file `" + csv_header(key.columns) +
              "`";
+    case Takes::vectors:
+      return "list of x and y, each " + dimension(key.unit) + "; or a list of " + row_of(key) + "; or a CSV file `" +
+             csv_header(key.columns) + "`";
     case Takes::pairs:
       return "list of " + row_of(key) + ", or a CSV file `" + csv_header(key.columns) + "`";
     case Takes::range:

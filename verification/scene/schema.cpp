@@ -71,6 +71,10 @@ Json value_schema(const Key& key) {
     case Takes::record:
     case Takes::level:
       return {{"anyOf", {quantity(key.unit), text(), rows(key)}}};
+    case Takes::vectors:
+      return {
+          {"anyOf",
+           {{{"type", "array"}, {"items", quantity(key.unit)}, {"minItems", 2}, {"maxItems", 2}}, text(), rows(key)}}};
     case Takes::pairs:
       return {{"anyOf", {text(), rows(key)}}};
     case Takes::range:

@@ -20,6 +20,21 @@ CsvForm form_of(const Key& key) {
   return {"file of " + key.name, {key.columns}, row};
 }
 
+/// Rows [time, ...]: no value out of the key's range, no time before the run.
+void check_rows(SectionReader& reader, const std::string& name, Rows& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t c = 1; c < rows.column.size(); ++c) {
+      const std::string missed = reader.range_missed(name, rows.column[c][i]);
+      if (!missed.empty())
+        rows.complain(i, {fmt::format("{} is out of range", name), "it must be " + missed,
+                          "Check the sign, the unit and the exponent."});
+    }
+    if (rows.column[0][i] < 0)
+      rows.complain(i, {fmt::format("the record of {} starts before the run", name),
+                        fmt::format("at {:g} s", rows.column[0][i]), "The run starts at 0 s."});
+  }
+}
+
 }  // namespace
 
 void Rows::complain(std::size_t row, const Complaint& complaint) {
@@ -85,15 +100,33 @@ Rows read_record(SectionReader& reader, const std::string& name, const std::file
     return rows;
   }
   Rows rows = read_pairs(reader, name, folder);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string missed = reader.range_missed(name, rows.column[1][i]);
-    if (!missed.empty())
-      rows.complain(i, {fmt::format("{} is out of range", name), "it must be " + missed,
-                        "Check the sign, the unit and the exponent."});
-    if (rows.column[0][i] < 0)
-      rows.complain(i, {fmt::format("the record of {} starts before the run", name),
-                        fmt::format("at {:g} s", rows.column[0][i]), "The run starts at 0 s."});
+  check_rows(reader, name, rows);
+  return rows;
+}
+
+Rows read_vectors(SectionReader& reader, const std::string& name, const std::filesystem::path& folder) {
+  const Value* written = reader.raw(name);
+  const bool rows_written =
+      written && (names_a_file(*written) ||
+                  (written->kind == Value::Kind::array && std::ranges::any_of(written->items, [](const Value& item) {
+                     return item.kind == Value::Kind::array;
+                   })));
+  if (!written || rows_written) {
+    Rows rows = read_pairs(reader, name, folder);
+    check_rows(reader, name, rows);
+    return rows;
   }
+  Rows rows;
+  rows.complaints_ = &reader.complaints();
+  rows.place_ = {written->place};
+  const Key& key = reader.key(name);
+  if (written->kind != Value::Kind::array || written->items.size() != 2) {
+    reader.complain(name, {reader.shown(name) + " is not a list of x and y", "soil that deforms lies in the plane x, y",
+                           "Write " + assignment(key)});
+    return rows;
+  }
+  const double x = reader.item_in_range(name, written->items[0]), y = reader.item_in_range(name, written->items[1]);
+  if (std::isfinite(x) && std::isfinite(y)) rows.column = {{0.0}, {x}, {y}};
   return rows;
 }
 

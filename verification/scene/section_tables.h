@@ -18,6 +18,7 @@ class Rows {
 
  private:
   friend Rows read_pairs(SectionReader& reader, const std::string& name, const std::filesystem::path& folder);
+  friend Rows read_vectors(SectionReader& reader, const std::string& name, const std::filesystem::path& folder);
   friend Rows read_record(SectionReader& reader, const std::string& name, const std::filesystem::path& folder);
   Complaints* complaints_ = nullptr;
   std::vector<Place> place_;  ///< in the scene
@@ -31,6 +32,10 @@ Rows read_pairs(SectionReader& reader, const std::string& name, const std::files
 /// A key that takes a record: one quantity, which becomes a row at time 0, or pairs [time, quantity]. Values are held
 /// to the key's range, times ascend from 0 on.
 Rows read_record(SectionReader& reader, const std::string& name, const std::filesystem::path& folder);
+
+/// A key that takes a vector in the plane, which becomes a row at time 0, or rows [time, x, y]: columns time, x, y.
+/// Values are held to the key's range, times start at 0 or later.
+Rows read_vectors(SectionReader& reader, const std::string& name, const std::filesystem::path& folder);
 
 /// Whether rows are written, a list or the name of a CSV file, where one quantity would do as well.
 bool takes_rows(SectionReader& reader, const std::string& name);

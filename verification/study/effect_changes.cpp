@@ -163,9 +163,10 @@ class Changes {
       for (const char* key : {"young", "poisson", "strength", "bishop", "earth_pressure_at_rest"})
         settings.push_back({soil(i) + key, ""});
     for (std::size_t i = 0; i < scene_.boundaries.size(); ++i) {
-      if (scene_.boundaries[i].skeleton && !scene_.boundaries[i].water)
+      if (!scene_.boundaries[i].water)
         settings.push_back({side(i) + "water", "impermeable"});  // a side must say something
-      for (const char* key : {"velocity", "base_friction", "load", "skeleton"}) settings.push_back({side(i) + key, ""});
+      for (const char* key : {"velocity", "base_friction", "load", "traction", "skeleton"})
+        settings.push_back({side(i) + key, ""});
     }
     for (std::size_t i = 0; i < scene_.stages.size(); ++i)
       for (const char* key : {"skeleton", "coupling_tolerance", "unbalanced_ratio", "relaxation_damping",

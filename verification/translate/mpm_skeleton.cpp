@@ -1,5 +1,7 @@
 #include "verification/translate/mpm_skeleton.h"
 
+#include <algorithm>
+
 namespace wetfront::verification {
 namespace {
 
@@ -46,12 +48,26 @@ mpm::Traction load_of(const Boundary& boundary) {
   return load;
 }
 
+/// The same of a traction, one axis at a time.
+mpm::Traction traction_of(const Boundary& boundary, std::size_t axis) {
+  const Record& record = (*boundary.traction)[axis];
+  mpm::Traction load;
+  load.side = boundary.side;
+  load.force[axis] = 1;
+  load.factor = {record.time, record.value};
+  load.origin = boundary.origin.text();
+  return load;
+}
+
 }  // namespace
 
 void add_skeleton_sides(const Scene& scene, mpm::Problem<2>& problem) {
   for (const Boundary& boundary : scene.boundaries) {
     if (boundary.skeleton) add_condition(boundary, problem);
     if (boundary.load) problem.skeleton_boundary.push_back(load_of(boundary));
+    for (std::size_t axis = 0; boundary.traction && axis < 2; ++axis)
+      if (std::ranges::any_of((*boundary.traction)[axis].value, [](double value) { return value != 0; }))
+        problem.skeleton_boundary.push_back(traction_of(boundary, axis));
   }
 }
 
