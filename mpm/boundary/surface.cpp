@@ -54,7 +54,7 @@ Surface<dim>::Surface(const Grid<dim>& grid, const MaterialPoints<dim>& points, 
 template <int dim>
 bool Surface<dim>::measure_cells() {
   const Column& volume = *points_.columns.find("volume");
-  std::vector<char> seen(grid_.cell_count(), 0);
+  seen_.assign(grid_.cell_count(), 0);
   bool changed = false;
   each_cell(points_, [&](std::span<const Block* const> blocks) {
     const std::size_t cell = blocks.front()->cell;
@@ -71,10 +71,10 @@ bool Surface<dim>::measure_cells() {
     volume_[cell] = sum;
     centroid_[cell] = moment;
     fill_[cell] = sum / cell_volume_[cell];
-    seen[cell] = 1;
+    seen_[cell] = 1;
   });
-  for (std::size_t cell = 0; cell < seen.size(); ++cell) {
-    if (seen[cell] != 0 || volume_[cell] == 0) continue;
+  for (std::size_t cell = 0; cell < seen_.size(); ++cell) {
+    if (seen_[cell] != 0 || volume_[cell] == 0) continue;
     volume_[cell] = fill_[cell] = 0;
     changed = true;
   }
@@ -294,18 +294,18 @@ bool Surface<dim>::update() {
   pieces_.clear();
   lines_.clear();
   std::ranges::fill(line_of_, -1);
-  std::vector<std::size_t> occupied;  // each once
-  each_cell(points_, [&](std::span<const Block* const> blocks) { occupied.push_back(blocks.front()->cell); });
+  occupied_.clear();
+  each_cell(points_, [&](std::span<const Block* const> blocks) { occupied_.push_back(blocks.front()->cell); });
   if constexpr (dim == 3) {
-    for (const std::size_t cell : occupied)
+    for (const std::size_t cell : occupied_)
       for (int face = 0; face < cell_faces<dim>; ++face) add_face(cell, face);
   } else {
     fill_nodes();
-    for (const std::size_t cell : occupied)
+    for (const std::size_t cell : occupied_)
       if (fill_[cell] < 1 - full_within && near_surface(cell)) place_line(cell);
     join_lines();
     for (const Line& line : lines_) add_line(line);
-    for (const std::size_t cell : occupied)
+    for (const std::size_t cell : occupied_)
       for (int face = 0; face < cell_faces<dim>; ++face) add_face_parts(cell, face);
   }
   return true;

@@ -88,6 +88,8 @@ class Surface {
   std::vector<int> line_of_;
   std::vector<Line> lines_;
   std::vector<SurfacePiece<dim>> pieces_;
+  std::vector<char> seen_;             ///< scratch of measure_cells: the cells with points
+  std::vector<std::size_t> occupied_;  ///< the same as a list, each once
 };
 
 }  // namespace wetfront::mpm

@@ -3,6 +3,7 @@
 #include "mpm/grid/material_points.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <span>
@@ -30,15 +31,18 @@ int soil_count(const MaterialPoints<dim>& points) {
 template <int dim, class Body>
 void each_cell(const MaterialPoints<dim>& points, Body&& body) {
   const int soils = soil_count(points);
-  std::vector<const Block*> in_cell;
+  std::array<const Block*, 8> few;  // no allocation in a step: more soils than these are hardly in a scene
+  std::vector<const Block*> many(soils > 8 ? static_cast<std::size_t>(soils) : 0);
+  const Block** const in_cell = many.empty() ? few.data() : many.data();
   for (const Block& block : points.blocks()) {
     bool first = true;
     for (int soil = 0; soil < block.soil && first; ++soil) first = find_block(points, block.cell, soil) == nullptr;
     if (!first) continue;
-    in_cell.assign(1, &block);
+    std::size_t count = 0;
+    in_cell[count++] = &block;
     for (int soil = block.soil + 1; soil < soils; ++soil)
-      if (const Block* other = find_block(points, block.cell, soil)) in_cell.push_back(other);
-    body(std::span<const Block* const>(in_cell));
+      if (const Block* other = find_block(points, block.cell, soil)) in_cell[count++] = other;
+    body(std::span<const Block* const>(in_cell, count));
   }
 }
 

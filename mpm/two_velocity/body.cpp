@@ -69,13 +69,16 @@ bool Body<dim>::update() {
 
 template <int dim>
 void Body<dim>::find_outer() {
-  outer_.clear();
+  outer_count_ = 0;
   for (std::size_t cell : cells_)
     for (int f = 0; f < cell_faces<dim>; ++f) {
       const int across = faces_.neighbour(cell, f);
       if (across >= 0 && occupied_[static_cast<std::size_t>(across)] != 0) continue;
-      outer_.push_back({cell, f, across < 0, {}});
-      if (!rain_.empty()) rain_on(outer_.back());
+      if (outer_count_ == outer_.size()) outer_.emplace_back().rains.reserve(rain_.size());
+      OuterFace& outer = outer_[outer_count_++];
+      outer.cell = cell, outer.face = f, outer.border = across < 0;
+      outer.rains.clear();
+      if (!rain_.empty()) rain_on(outer);
     }
   if (std::find(side_of_rain_.begin(), side_of_rain_.end(), -1) != side_of_rain_.end()) shade();
   find_surface();
@@ -86,7 +89,7 @@ void Body<dim>::find_surface() {
   for (std::size_t cell : near_) at_surface_[cell] = open_[cell] = 0;
   surface_cells_.clear();
   near_.clear();
-  for (const OuterFace& face : outer_) {
+  for (const OuterFace& face : outer()) {
     if (!face.border || !face.rains.empty()) open_[face.cell] = 1;
     if (open_[face.cell] != 0 && at_surface_[face.cell] == 0) {
       at_surface_[face.cell] = surface_itself;
@@ -124,13 +127,9 @@ void Body<dim>::rain_on(OuterFace& outer) const {
 template <int dim>
 void Body<dim>::shade() {
   if constexpr (dim == 2) {
-    struct Roof {
-      double from, until, height;
-      OuterFace* face;
-    };
-    std::vector<Roof> roofs;
+    roofs_.clear();
     const auto& grid = plan_.fields.grid;
-    for (OuterFace& outer : outer_) {
+    for (OuterFace& outer : std::span(outer_.data(), outer_count_)) {
       if (outer.border || outer.rains.empty()) continue;
       double at[2], height = 0;
       for (int k = 0; k < 2; ++k) {
@@ -138,17 +137,17 @@ void Body<dim>::shade() {
         at[k] = up_[1] * x[0] - up_[0] * x[1];
         height += 0.5 * dot<dim>(x, up_);
       }
-      roofs.push_back({std::min(at[0], at[1]), std::max(at[0], at[1]), height, &outer});
+      roofs_.push_back({std::min(at[0], at[1]), std::max(at[0], at[1]), height, &outer});
     }
-    std::sort(roofs.begin(), roofs.end(), [](const Roof& a, const Roof& b) { return a.from < b.from; });
+    std::sort(roofs_.begin(), roofs_.end(), [](const Roof& a, const Roof& b) { return a.from < b.from; });
     double widest = 0;
-    for (const Roof& roof : roofs) widest = std::max(widest, roof.until - roof.from);
-    for (std::size_t k = 0; k < roofs.size(); ++k) {
-      const double middle = 0.5 * (roofs[k].from + roofs[k].until);
-      for (std::size_t m = k; m-- > 0 && roofs[m].from > middle - widest;)
-        if (roofs[m].until > middle && roofs[m].height > roofs[k].height) roofs[k].face->rains.clear();
-      for (std::size_t m = k + 1; m < roofs.size() && roofs[m].from < middle; ++m)
-        if (roofs[m].until > middle && roofs[m].height > roofs[k].height) roofs[k].face->rains.clear();
+    for (const Roof& roof : roofs_) widest = std::max(widest, roof.until - roof.from);
+    for (std::size_t k = 0; k < roofs_.size(); ++k) {
+      const double middle = 0.5 * (roofs_[k].from + roofs_[k].until);
+      for (std::size_t m = k; m-- > 0 && roofs_[m].from > middle - widest;)
+        if (roofs_[m].until > middle && roofs_[m].height > roofs_[k].height) roofs_[k].face->rains.clear();
+      for (std::size_t m = k + 1; m < roofs_.size() && roofs_[m].from < middle; ++m)
+        if (roofs_[m].until > middle && roofs_[m].height > roofs_[k].height) roofs_[k].face->rains.clear();
     }
   }
 }

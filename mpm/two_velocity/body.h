@@ -3,6 +3,7 @@
 #include "mpm/boundary/faces.h"
 #include "mpm/plan/stage_plan.h"
 
+#include <span>
 #include <vector>
 
 namespace wetfront::mpm {
@@ -24,7 +25,7 @@ class Body {
 
   /// Looks at the blocks; true when other cells hold points than before.
   bool update();
-  const std::vector<OuterFace>& outer() const { return outer_; }
+  std::span<const OuterFace> outer() const { return {outer_.data(), outer_count_}; }
   const std::vector<std::size_t>& cells() const { return cells_; }
   /// Nodes of the occupied cells, ascending.
   const std::vector<int>& nodes() const { return nodes_; }
@@ -54,7 +55,14 @@ class Body {
   std::vector<std::size_t> of_blocks_, cells_, surface_cells_, near_;
   std::vector<char> occupied_, at_surface_, open_, touched_;
   std::vector<int> nodes_;
-  std::vector<OuterFace> outer_;
+  std::vector<OuterFace> outer_;  ///< the first outer_count_ of them: the others keep the room of their lists
+  std::size_t outer_count_ = 0;
+  /// A rained face as the sky sees it.
+  struct Roof {
+    double from, until, height;
+    OuterFace* face;
+  };
+  std::vector<Roof> roofs_;  ///< scratch of shade
 };
 
 }  // namespace wetfront::mpm

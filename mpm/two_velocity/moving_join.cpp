@@ -62,12 +62,12 @@ void TwoVelocityLiquid<dim>::join_moving(StagePlan<dim>& plan) {
 template <int dim>
 void TwoVelocityLiquid<dim>::clear_left_nodes() {
   TwoVelocityWater<dim>& w = *water_;
-  std::vector<char> there(w.flux->size());
-  for (int i : w.body->nodes()) there[static_cast<std::size_t>(i)] = 1;
+  there_.assign(w.flux->size(), 0);
+  for (int i : w.body->nodes()) there_[static_cast<std::size_t>(i)] = 1;
   for (Column* column : {w.flux, w.pressure, w.solid_velocity, w.rain_rate, w.volume, w.content})
     for (int a = 0; a < column->spec().components; ++a)
-      for (std::size_t i = 0; i < there.size(); ++i)
-        if (there[i] == 0) (*column)[a][i] = 0;
+      for (std::size_t i = 0; i < there_.size(); ++i)
+        if (there_[i] == 0) (*column)[a][i] = 0;
 }
 
 template <int dim>

@@ -47,7 +47,7 @@ void MovingLiquid<dim>::group_slivers() {
     if (host < 0) return;
     int& group = blocks_[static_cast<std::size_t>(host)].group;
     if (group < 0) {
-      if (group_count_ == groups_.size()) groups_.emplace_back();
+      if (group_count_ == groups_.size()) groups_.emplace_back().blocks.reserve(1 + cell_faces<dim>);
       group = static_cast<int>(group_count_++);
       groups_[static_cast<std::size_t>(group)].blocks.assign(1, static_cast<std::size_t>(host));
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace wetfront::mpm {
@@ -64,27 +65,29 @@ void RainOnTwoVelocity<dim>::collect(const StagePlan<dim>& plan) {
     }
     rains_.push_back(*rain);
   }
-  for (auto& [index, node] : found) settle(index, node);
+  for (auto& [index, node] : found) {
+    settle(node);
+    nodes_.push_back(node);
+  }
 }
 
 /// Normal, area and direction of the correction of a node whose faces have been added up.
 template <int dim>
-void RainOnTwoVelocity<dim>::settle(std::size_t index, Node& node) {
+void RainOnTwoVelocity<dim>::settle(Node& node) {
   double open = 0;
   node.area = length<dim>(node.normal);
   for (double& component : node.normal) component /= node.area;
   node.along = node.normal;
-  water_->walls.project(index, node.along);
+  water_->walls.project(node.index, node.along);
   for (int a = 0; a < dim; ++a) open += node.along[a] * node.normal[a];
   // A hundredth: the walls at the node would have to lie within a degree of the surface itself.
   node.closed = open < 0.01;
   if (node.closed && water_->body == nullptr)
-    throw CannotPlan(rains_[node.rains.front().first].origin + ": rain falls on a node (" + std::to_string(index) +
+    throw CannotPlan(rains_[node.rains.front().first].origin + ": rain falls on a node (" + std::to_string(node.index) +
                      ") that impermeable sides close in all directions it could take, so it cannot enter there. Let "
                      "the rained side include all faces at that node");
   for (double& component : node.along) component = node.closed ? 0 : component / open;
-  nodes_.push_back(node);
-  water_->unmapped.emplace_back(index, node.normal);
+  water_->unmapped.emplace_back(node.index, node.normal);
 }
 
 /// Of a body that moves: the outer faces that rain finds now (body.h). Where walls close a node in all directions its
@@ -93,7 +96,10 @@ template <int dim>
 void RainOnTwoVelocity<dim>::collect_from_body(const StagePlan<dim>& plan) {
   const Grid<dim>& grid = plan.fields.grid;
   const Vector<dim> up = upward(plan.problem);
-  std::map<std::size_t, Node> found;
+  for (const Node& node : nodes_) place_of_node_[node.index] = -1;
+  place_of_node_.resize(grid.node_count(), -1);
+  std::ranges::move(nodes_, std::back_inserter(spare_));  // their lists keep their room
+  nodes_.clear();
   for (const auto& outer : water_->body->outer()) {
     if (outer.rains.empty()) continue;
     const auto local = local_face<dim>(outer.face);
@@ -101,8 +107,7 @@ void RainOnTwoVelocity<dim>::collect_from_body(const StagePlan<dim>& plan) {
     const Soil& soil = plan.problem.soils[static_cast<std::size_t>(grid.region(outer.cell))];
     for (std::size_t k = 0; k < local.size(); ++k) {
       const auto index = static_cast<std::size_t>(grid.cell_nodes_of(outer.cell)[local[k]]);
-      Node& node = found[index];
-      node.index = index;
+      Node& node = node_at(index);
       node.mobility = soil.intrinsic_permeability / plan.problem.water->viscosity;
       node.cells.push_back(outer.cell);
       for (int a = 0; a < dim; ++a) node.normal[a] += integrals[k][a];
@@ -118,9 +123,29 @@ void RainOnTwoVelocity<dim>::collect_from_body(const StagePlan<dim>& plan) {
       }
     }
   }
-  nodes_.clear();
+  std::ranges::sort(nodes_, {}, &Node::index);
   water_->unmapped.clear();
-  for (auto& [index, node] : found) settle(index, node);
+  for (Node& node : nodes_) settle(node);
+}
+
+/// The node of nodes_ with this index, a new one where there is none.
+template <int dim>
+typename RainOnTwoVelocity<dim>::Node& RainOnTwoVelocity<dim>::node_at(std::size_t index) {
+  int& place = place_of_node_[index];
+  if (place >= 0) return nodes_[static_cast<std::size_t>(place)];
+  place = static_cast<int>(nodes_.size());
+  if (spare_.empty())  // as many again: a body that spreads asks for more now and then, not one by one
+    for (std::size_t more = nodes_.size() + 8; more-- > 0;) {
+      spare_.emplace_back();
+      spare_.back().cells.reserve(cell_nodes<dim> * dim);  // faces of cells at a node
+      spare_.back().rains.reserve(rains_.size());
+    }
+  Node fresh;
+  fresh.index = index;
+  fresh.cells.swap(spare_.back().cells), fresh.rains.swap(spare_.back().rains);
+  fresh.cells.clear(), fresh.rains.clear();
+  spare_.pop_back();
+  return nodes_.emplace_back(std::move(fresh));
 }
 
 /// A rain that finds no face of the body any more stops the run.

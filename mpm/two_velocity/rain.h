@@ -41,7 +41,8 @@ class RainOnTwoVelocity : public Effect<dim> {
   bool may_leave(const Node& node) const;
   void collect(const StagePlan<dim>& plan);
   void collect_from_body(const StagePlan<dim>& plan);
-  void settle(std::size_t index, Node& node);
+  Node& node_at(std::size_t index);
+  void settle(Node& node);
   void refuse_to_miss(double time) const;
   void correct(double time, double dt);
   void close(std::size_t node, double dt);
@@ -57,7 +58,8 @@ class RainOnTwoVelocity : public Effect<dim> {
 
   std::shared_ptr<TwoVelocityWater<dim>> water_;
   std::vector<RainSide> rains_;
-  std::vector<Node> nodes_;
+  std::vector<Node> nodes_, spare_;
+  std::vector<int> place_of_node_;     ///< in nodes_ while these are collected from a body that moves, -1: none
   std::vector<int> rain_of_boundary_;  ///< index into rains_, -1: not rain
   Column *asked_ = nullptr, *imposed_ = nullptr, *run_off_ = nullptr, *outflow_ = nullptr;
   Column *ponded_ = nullptr, *ledger_ = nullptr, *on_pieces_ = nullptr;

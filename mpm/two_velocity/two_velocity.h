@@ -69,6 +69,7 @@ class TwoVelocityLiquid : public Effect<dim> {
   std::unique_ptr<MovingLiquid<dim>> moving_;  ///< likewise
   Column* point_water_ = nullptr;              ///< W_p
   Column* point_velocity_ = nullptr;           ///< v_l
+  std::vector<char> there_;                    ///< scratch of clear_left_nodes
   Column* steps_ = nullptr;                    ///< the last dt
   std::function<void()> content_, from_points_, forces_;
   std::unique_ptr<BlowUp<dim>> blow_up_;

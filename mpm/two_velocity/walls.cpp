@@ -66,14 +66,13 @@ template <int dim>
 ImpermeableWalls<dim>::ImpermeableWalls(const StagePlan<dim>& plan, const CutSurface<dim>* surface) {
   const Grid<dim>& grid = plan.fields.grid;
   const auto rained = rain_faces(plan.problem);
-  std::vector<Share> shares;
   for (const auto& [face, place] : outer_faces(plan)) {
     if (rained.contains(face)) continue;
     if (surface != nullptr && !surface->wets({face.begin(), face.end()})) continue;
     const Vector<dim> normal = share_of_face(grid, place);
-    for (int node : face) shares.emplace_back(node, normal);
+    for (int node : face) add_share(node, normal);
   }
-  gather(grid.node_count(), shares);
+  gather(grid.node_count());
 }
 
 template <int dim>
@@ -83,38 +82,37 @@ ImpermeableWalls<dim>::ImpermeableWalls(const Grid<dim>& grid, const Body<dim>& 
 
 template <int dim>
 void ImpermeableWalls<dim>::find(const Grid<dim>& grid, const Body<dim>& body) {
-  std::vector<Share> shares;
   for (const auto& outer : body.outer()) {
     if (!outer.rains.empty()) continue;
     const Vector<dim> normal = share_of_face(grid, {outer.cell, outer.face});
-    for (int local : local_face<dim>(outer.face)) shares.emplace_back(grid.cell_nodes_of(outer.cell)[local], normal);
+    for (int local : local_face<dim>(outer.face)) add_share(grid.cell_nodes_of(outer.cell)[local], normal);
   }
-  gather(grid.node_count(), shares);
+  gather(grid.node_count());
 }
 
 /// Groups the shares of each node by direction and makes the groups' sums orthonormal.
 template <int dim>
-void ImpermeableWalls<dim>::gather(std::size_t nodes, std::vector<Share>& shares) {
-  std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.first < b.first; });
+void ImpermeableWalls<dim>::gather(std::size_t nodes) {
+  std::sort(shares_.begin(), shares_.end(),
+            [](const Share& a, const Share& b) { return a.node != b.node ? a.node < b.node : a.order < b.order; });
   for (const Node& walls : walls_) walls_of_[walls.index] = -1;
   walls_.clear();
   walls_of_.resize(nodes, -1);
-  std::vector<Vector<dim>> groups;
-  for (std::size_t k = 0; k < shares.size();) {
+  for (std::size_t k = 0; k < shares_.size();) {
     Node walls;
-    walls.index = static_cast<std::size_t>(shares[k].first);
-    groups.clear();
-    for (; k < shares.size() && static_cast<std::size_t>(shares[k].first) == walls.index; ++k) {
-      const Vector<dim>& normal = shares[k].second;
-      const auto near = std::find_if(groups.begin(), groups.end(), [&](const Vector<dim>& other) {
+    walls.index = static_cast<std::size_t>(shares_[k].node);
+    groups_.clear();
+    for (; k < shares_.size() && static_cast<std::size_t>(shares_[k].node) == walls.index; ++k) {
+      const Vector<dim>& normal = shares_[k].part;
+      const auto near = std::find_if(groups_.begin(), groups_.end(), [&](const Vector<dim>& other) {
         return dot<dim>(normal, other) > std::sqrt(0.5 * dot<dim>(normal, normal) * dot<dim>(other, other));
       });
-      if (near == groups.end())
-        groups.push_back(normal);
+      if (near == groups_.end())
+        groups_.push_back(normal);
       else
         for (int a = 0; a < dim; ++a) (*near)[a] += normal[a];
     }
-    for (Vector<dim> d : groups) {
+    for (Vector<dim> d : groups_) {
       const double size = std::sqrt(dot<dim>(d, d));
       for (int other = 0; other < walls.count; ++other) {
         const Vector<dim>& known = walls.direction[static_cast<std::size_t>(other)];
@@ -129,6 +127,7 @@ void ImpermeableWalls<dim>::gather(std::size_t nodes, std::vector<Share>& shares
     walls_of_[walls.index] = static_cast<int>(walls_.size());
     walls_.push_back(walls);
   }
+  shares_.clear();
 }
 
 template class ImpermeableWalls<2>;

@@ -46,12 +46,20 @@ class ImpermeableWalls {
     int count = 0;
     std::array<Vector<dim>, dim> direction{};  ///< orthonormal
   };
-  /// A node and the share of a face there.
-  using Share = std::pair<int, Vector<dim>>;
-  void gather(std::size_t nodes, std::vector<Share>& shares);
+  /// A node and the share of a face there; `order`: among all of them, so that a sort is stable without a buffer.
+  struct Share {
+    int node, order;
+    Vector<dim> part;
+  };
+  void add_share(int node, const Vector<dim>& part) {
+    shares_.push_back({node, static_cast<int>(shares_.size()), part});
+  }
+  void gather(std::size_t nodes);
 
   std::vector<int> walls_of_;  ///< per node, into walls_; -1: none
   std::vector<Node> walls_;
+  std::vector<Share> shares_;        ///< scratch of gather, kept: bodies that move find their walls again and again
+  std::vector<Vector<dim>> groups_;  ///< scratch: sums over the faces of one direction
 };
 
 }  // namespace wetfront::mpm
