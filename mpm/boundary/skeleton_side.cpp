@@ -105,6 +105,12 @@ std::vector<std::pair<int, int>> pairs_of(const meshes::Mesh& mesh, const std::a
 
 }  // namespace
 
+meshes::Point between_sides(const meshes::Mesh& mesh, const std::string& side, const std::string& partner,
+                            const Origin& origin) {
+  const auto from = lowest(mesh, nodes_of(mesh, side, origin)), to = lowest(mesh, nodes_of(mesh, partner, origin));
+  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
 std::vector<std::vector<int>> tied_nodes(const meshes::Mesh& mesh, const std::vector<std::array<std::string, 2>>& sides,
                                          const Origin& origin) {
   std::vector<int> root(mesh.nodes.size());

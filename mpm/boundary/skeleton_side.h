@@ -27,6 +27,10 @@ template <int dim>
 std::vector<SideNode<dim>> side_nodes(const StagePlan<dim>& plan, const std::string& side, const std::string& who,
                                       const Origin& origin, bool only_with_soil);
 
+/// By how much `partner` lies from `side`: what is moved by it has gone through the one and come in at the other.
+meshes::Point between_sides(const meshes::Mesh& mesh, const std::string& side, const std::string& partner,
+                            const Origin& origin);
+
 /// Groups of nodes that are one because sides are periodic, the lowest index first: pairs, or four or eight where pairs
 /// of sides meet. `sides` holds (side, partner). Throws CannotPlan where a node has no image.
 std::vector<std::vector<int>> tied_nodes(const meshes::Mesh& mesh, const std::vector<std::array<std::string, 2>>& sides,

@@ -1,5 +1,6 @@
 #include "mpm/record/motion_ledger.h"
 
+#include "mpm/grid/migration.h"
 #include "mpm/grid/point_sums.h"
 #include "mpm/lanes.h"
 #include "mpm/record/brought_by_water.h"
@@ -64,6 +65,7 @@ class MotionLedger<dim>::Last : public NodalCondition<dim> {
 template <int dim>
 void MotionLedger<dim>::join(StagePlan<dim>& plan) {
   plan_ = &plan;
+  migrated_ = &plan.require_on_run("migration");
   mass_ = &plan.require_on_points("mass");
   position_ = &plan.require_on_points("position");
   velocity_ = &plan.require_on_points("velocity");
@@ -180,9 +182,12 @@ double MotionLedger<dim>::motion() const {
 
 template <int dim>
 double MotionLedger<dim>::potential_energy() const {
-  return over_points(plan_->fields.points, [this](std::size_t p) {
-    return -(*mass_)[0][p] * dot<dim>(plan_->problem.gravity, at<dim>(*position_, p));
-  });
+  // Less what points were lifted by when periodic sides handed them on: they go on falling as if they had not been.
+  return over_points(plan_->fields.points,
+                     [this](std::size_t p) {
+                       return -(*mass_)[0][p] * dot<dim>(plan_->problem.gravity, at<dim>(*position_, p));
+                     }) -
+         (*migrated_)[migration_lifted][0];
 }
 
 template <int dim>

@@ -56,6 +56,7 @@ class MotionLedger : public Effect<dim> {
   StagePlan<dim>* plan_ = nullptr;
   std::shared_ptr<SkeletonCycle<dim>> cycle_;
   const Column *mass_ = nullptr, *position_ = nullptr, *velocity_ = nullptr;  // points
+  const Column* migrated_ = nullptr;                                          // run
   const Column *node_mass_ = nullptr, *force_ = nullptr, *node_velocity_ = nullptr, *acceleration_ = nullptr;
   Column *inner_ = nullptr, *loaded_ = nullptr, *sums_ = nullptr;
   Column* brought_ = nullptr;  ///< brought_by_water.h; nullptr where the mass of points stays
