@@ -2,7 +2,7 @@
 
 #include "mpm/coupling/strength_reduction.h"
 #include "verification/run/run_scene.h"
-#include "verification/scene/set_value.h"
+#include "verification/scene/setting.h"
 
 #include <filesystem>
 #include <string>

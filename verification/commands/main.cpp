@@ -3,7 +3,6 @@
 #include "verification/commands/commands.h"
 #include "verification/run/version.h"
 #include "verification/scene/read.h"
-#include "verification/scene/set_value.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -53,6 +53,10 @@ std::size_t offset(const std::string& text, Place place) {
   return at;
 }
 
+std::size_t start_of_line(const std::string& text, std::size_t at) {
+  return text.rfind('\n', at) + 1;  // npos + 1: the first line
+}
+
 std::size_t end_of_line(const std::string& text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
@@ -236,7 +240,7 @@ class Editor {
       refuse(setting_.path,
              {"an entry of a list cannot be left out", "the others would change their places", "Set the whole list."});
     const std::size_t from = offset(text_, entry->place), to = offset(text_, value.end);
-    const std::size_t start = text_.rfind('\n', from) == std::string::npos ? 0 : text_.rfind('\n', from) + 1;
+    const std::size_t start = start_of_line(text_, from);
     const bool own_line = text_.find_first_not_of(" \t", start) == from;
     if (own_line && (value.kind != Value::Kind::table || text_[from] != '['))
       return replaced(start, std::min(end_of_line(text_, to) + 1, text_.size()), "");
@@ -249,8 +253,7 @@ class Editor {
 
   /// Without a section, `tolerance[front_position]` of several: its header, keys and sections below it.
   std::string without_section(const Value& table) const {
-    const std::size_t place = offset(text_, table.place);
-    const std::size_t start = text_.rfind('\n', place) == std::string::npos ? 0 : text_.rfind('\n', place) + 1;
+    const std::size_t start = start_of_line(text_, offset(text_, table.place));
     const std::size_t end = std::min(end_of_line(text_, end_of(table)) + 1, text_.size());
     const std::string own = "[" + section_ + ".", list = "[[" + section_ + ".";
     bool scattered = text_[start] != '[';
@@ -258,8 +261,8 @@ class Editor {
       scattered = scattered || (text_[at] == '[' && text_.compare(at, own.size(), own) != 0 &&
                                 text_.compare(at, list.size(), list) != 0);
     if (scattered)
-      refuse(setting_.path, {"this section cannot be left out",
-                             "it is not written in one piece under its [[" + section_ + "]]", "Leave out its keys."});
+      refuse(setting_.path, {"this section cannot be left out", "it is not written in one piece under its header",
+                             "Leave out its keys."});
     return replaced(start, end, "");
   }
 
