@@ -3,12 +3,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace wetfront::reports {
 
@@ -25,10 +29,19 @@ namespace {
   fail("write", path, error);
 }
 
+const std::string temporary_ending = ".part";  // and the writer's process number
+
+bool is_temporary(const std::string& name) {
+  const std::size_t at = name.rfind(temporary_ending);
+  if (at == std::string::npos) return false;
+  const std::string number = name.substr(at + temporary_ending.size());
+  return !number.empty() && std::ranges::all_of(number, [](unsigned char c) { return std::isdigit(c); });
+}
+
 }  // namespace
 
 void write_whole(const std::filesystem::path& path, std::string_view content) {
-  const std::string temporary = path.string() + ".part" + std::to_string(::getpid());
+  const std::string temporary = path.string() + temporary_ending + std::to_string(::getpid());
   const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) fail("write", path, errno);
   while (!content.empty()) {
@@ -40,6 +53,14 @@ void write_whole(const std::filesystem::path& path, std::string_view content) {
   if (::fsync(file) != 0 && errno != EINVAL) give_up(file, temporary, path, errno);
   if (::close(file) != 0) give_up(-1, temporary, path, errno);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) give_up(-1, temporary, path, errno);
+}
+
+void clear_half_written(const std::filesystem::path& folder) {
+  std::error_code none;
+  std::vector<std::filesystem::path> left;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+    if (is_temporary(entry.path().filename().string())) left.push_back(entry.path());
+  for (const auto& file : left) std::filesystem::remove(file, none);
 }
 
 std::string read_whole(const std::filesystem::path& path) {

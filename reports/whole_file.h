@@ -10,6 +10,10 @@ namespace wetfront::reports {
 /// file or the new one, never half of either. Throws std::runtime_error naming the file and the system's reason.
 void write_whole(const std::filesystem::path& path, std::string_view content);
 
+/// Removes from `folder` (not from those in it) what writers that were killed inside write_whole left there; no other
+/// process may be writing to it.
+void clear_half_written(const std::filesystem::path& folder);
+
 /// Throws std::runtime_error naming the file and the system's reason.
 std::string read_whole(const std::filesystem::path& path);
 

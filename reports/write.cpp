@@ -46,6 +46,11 @@ void make_writable(const std::filesystem::path& folder) {
   std::filesystem::remove(trial);
 }
 
+void claim(const std::filesystem::path& folder) {
+  make_writable(folder);
+  for (const auto& part : {folder, folder / "figures", folder / "fields"}) clear_half_written(part);
+}
+
 void write_result(const Record& record, const std::filesystem::path& folder) {
   make_folder(folder);
   // The data first: they outlive a drawing that fails.

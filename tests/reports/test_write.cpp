@@ -177,6 +177,18 @@ TEST(WriteResult, AFullDiskLeavesTheOldFile) {
   EXPECT_EQ(read_whole(desk.path() / "a"), "old");
 }
 
+TEST(WriteResult, WhatAKilledWriterLeftGoesWithTheNextRun) {
+  const TemporaryFolder desk;
+  fs::create_directories(desk.path() / "figures");
+  const std::vector<std::string> left = {"result.json.part12", "figures/front.svg.part345"};
+  const std::vector<std::string> own = {"a.part", "figures/b.party", "figures/c.part2.csv", "result.json"};
+  for (const auto* files : {&left, &own})
+    for (const std::string& file : *files) write_whole(desk.path() / file, "x");
+  claim(desk.path());
+  for (const std::string& file : left) EXPECT_FALSE(fs::exists(desk.path() / file)) << file;
+  for (const std::string& file : own) EXPECT_TRUE(fs::exists(desk.path() / file)) << file;
+}
+
 TEST(WriteResult, RefusesFiguresItCannotName) {
   const TemporaryFolder desk;
   Record record;

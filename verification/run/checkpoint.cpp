@@ -35,16 +35,19 @@ std::filesystem::path before(const std::filesystem::path& file) {
   return file.string() + ".before";
 }
 
+std::filesystem::path fresh(const std::filesystem::path& file) {
+  return file.string() + ".fresh";
+}
+
 }  // namespace
 
 void write_checkpoint(const mpm::State& state, const CheckpointFile& where) {
   const nlohmann::json content = {{"belongs_to", where.belongs_to}, {"state", state}};
   const auto bytes = nlohmann::json::to_cbor(content);
-  const std::filesystem::path fresh = where.file.string() + ".fresh";
-  write_sealed(format, bytes, fresh);
+  write_sealed(format, bytes, fresh(where.file));
   std::error_code none;
   std::filesystem::rename(where.file, before(where.file), none);
-  std::filesystem::rename(fresh, where.file);
+  std::filesystem::rename(fresh(where.file), where.file);
 }
 
 std::optional<mpm::State> read_checkpoint(const CheckpointFile& where, std::string& note) {
@@ -64,7 +67,7 @@ std::optional<mpm::State> read_checkpoint(const CheckpointFile& where, std::stri
 
 void forget_checkpoint(const CheckpointFile& where) {
   std::error_code none;
-  for (const auto& file : {where.file, before(where.file)}) std::filesystem::remove(file, none);
+  for (const auto& file : {where.file, before(where.file), fresh(where.file)}) std::filesystem::remove(file, none);
 }
 
 std::string checkpoint_owner(const std::string& scene_text) {
