@@ -15,7 +15,7 @@ class GatherQuads {
   GatherQuads(const LinearShape<2>& shape, const SkeletonColumns& columns, GatherParts parts)
       : shape_(shape), point_(columns), node_(columns), parts_(parts) {}
 
-  void operator()(std::span<const Block> blocks) {
+  [[gnu::always_inline]] void operator()(std::span<const Block> blocks) {
     // Mean stresses of some cells first, so that no sum waits for a division.
     constexpr std::size_t batch = 16;
     std::array<Mean, batch> means;

@@ -26,7 +26,7 @@ class LinearShape {
 
   explicit LinearShape(const Grid<dim>& grid) : grid_(grid) {}
 
-  void enter(const Block& block) {
+  [[gnu::always_inline]] void enter(const Block& block) {
     cell_ = block.cell;
     node_ = block.nodes;
     affine_ = grid_.affine(cell_);
@@ -93,7 +93,7 @@ class LinearShape {
 
   /// Mean over the cell of sum_a df_a/dx_a.
   [[gnu::always_inline]] double mean_divergence(const std::array<Field, dim>& f) const {
-    if (!affine_) return crooked_divergence(f);
+    if (!affine_) return crooked_divergence(grid_, cell_, f);
     double sum = 0;
     for (int a = 0; a < dim; ++a) {
       const auto& c = f[a].c;
@@ -110,7 +110,7 @@ class LinearShape {
   /// The same with the nodes of a quadrilateral in lanes.
   [[gnu::always_inline]] std::array<Lanes, 2> mean_gradients() const requires(dim == 2) {
     alignas(32) static constexpr double sign[2][4] = {{-0.5, 0.5, 0.5, -0.5}, {-0.5, -0.5, 0.5, 0.5}};
-    if (!affine_) return crooked_mean_gradients();
+    if (!affine_) return crooked_mean_gradients(grid_, cell_);
     const Lanes along0 = load(sign[0]), along1 = load(sign[1]);
     return {along0 * inverse_[0][0] + along1 * inverse_[1][0], along0 * inverse_[0][1] + along1 * inverse_[1][1]};
   }
@@ -136,7 +136,7 @@ class LinearShape {
       u[b] = arm[0] * inverse_[b][0] + 0.5;
       for (int a = 1; a < dim; ++a) u[b] += arm[a] * inverse_[b][a];
     });
-    if (!affine_) u = crooked_local(x, u);
+    if (!affine_) u = crooked_local(grid_, node_, x, u);
     return u;
   }
   [[gnu::always_inline]] LaneMask outside(const Place& x) const {
@@ -156,7 +156,7 @@ class LinearShape {
     each<dim>([&](auto b) __attribute__((always_inline)) {
       for (int a = 0; a < dim; ++a) at.inverse[b][a] = Lanes(inverse_[b][a]);
     });
-    if (!affine_) at.inverse = crooked_inverse_at(at.local);
+    if (!affine_) at.inverse = crooked_inverse_at(grid_, node_, at.local);
   }
   /// Values only.
   [[gnu::always_inline]] void values(const Place& x, Stencil& at) const {
@@ -170,7 +170,7 @@ class LinearShape {
     each<dim>([&](auto b) __attribute__((always_inline)) {
       for (int a = 0; a < dim; ++a) at.inverse[b][a] = Lanes(inverse_[b][a]);
     });
-    if (!affine_) at.inverse = crooked_inverse(at.slope);
+    if (!affine_) at.inverse = crooked_inverse(grid_, node_, at.slope);
   }
   /// Place of node i less the points' [m], for affine velocities.
   [[gnu::always_inline]] Lanes arm(int i, int axis, const Place& x, const Stencil&) const {
@@ -185,7 +185,7 @@ class LinearShape {
     return node_sign(i, axis) > 0;
   }
 
-  [[gnu::always_inline]] void set_values(Stencil& at) const {
+  [[gnu::always_inline]] static void set_values(Stencil& at) {
     std::array<Lanes, dim> other;
     each<dim>([&](auto a) __attribute__((always_inline)) { other[a] = 1.0 - at.local[a]; });
     each<nodes>([&](auto i) __attribute__((always_inline)) {
@@ -195,7 +195,7 @@ class LinearShape {
       });
     });
   }
-  [[gnu::always_inline]] void set_slopes(Stencil& at) const {
+  [[gnu::always_inline]] static void set_slopes(Stencil& at) {
     std::array<Lanes, dim> other;
     each<dim>([&](auto a) __attribute__((always_inline)) { other[a] = 1.0 - at.local[a]; });
     const auto factor = [&](int i, int a) __attribute__((always_inline)) {
@@ -210,24 +210,26 @@ class LinearShape {
     });
   }
   using Matrix = std::array<std::array<Lanes, dim>, dim>;
-  /// The inverse of J[a][b] = dx_a/du_b. (What crooked cells need is called, not inlined, and passed by value: the
-  /// affine path keeps its numbers in registers.)
-  [[gnu::noinline]] Matrix crooked_inverse(std::array<std::array<Lanes, dim>, nodes> slope) const {
+  /// The inverse of J[a][b] = dx_a/du_b. (What crooked cells need is called, not inlined, passed by value and knows no
+  /// `this`: the affine path keeps its numbers in registers.)
+  [[gnu::noinline]] static Matrix crooked_inverse(const Grid<dim>& grid, const int* node,
+                                                  std::array<std::array<Lanes, dim>, nodes> slope) {
     Matrix jacobian{};
     for (int i = 0; i < nodes; ++i)
       for (int a = 0; a < dim; ++a)
-        for (int b = 0; b < dim; ++b) jacobian[a][b] += grid_.node(node_[i])[a] * slope[i][b];
+        for (int b = 0; b < dim; ++b) jacobian[a][b] += grid.node(node[i])[a] * slope[i][b];
     return inverse_of(jacobian);
   }
-  [[gnu::noinline]] std::array<Lanes, 2> crooked_mean_gradients() const {
-    const auto mean = mpm::mean_gradients(grid_, cell_);
+  [[gnu::noinline]] static std::array<Lanes, 2> crooked_mean_gradients(const Grid<dim>& grid, std::size_t cell) {
+    const auto mean = mpm::mean_gradients(grid, cell);
     std::array<Lanes, 2> out;
     for (int i = 0; i < 4; ++i)
       for (int a = 0; a < 2; ++a) out[a][static_cast<std::size_t>(i)] = mean[i][a];
     return out;
   }
-  [[gnu::noinline]] double crooked_divergence(const std::array<Field, dim>& f) const {
-    const auto mean = mpm::mean_gradients(grid_, cell_);
+  [[gnu::noinline]] static double crooked_divergence(const Grid<dim>& grid, std::size_t cell,
+                                                     std::array<Field, dim> f) {
+    const auto mean = mpm::mean_gradients(grid, cell);
     double sum = 0;
     for (int a = 0; a < dim; ++a)
       for (int i = 0; i < nodes; ++i) {
@@ -241,16 +243,16 @@ class LinearShape {
   static constexpr bool belongs(int k, int i) {
     return (k % 2 == 0 || upper(i, 0)) && (k / 2 % 2 == 0 || upper(i, 1)) && (k < 4 || upper(i, 2));
   }
-  [[gnu::noinline]] Matrix crooked_inverse_at(Place u) const {
+  [[gnu::noinline]] static Matrix crooked_inverse_at(const Grid<dim>& grid, const int* node, Place u) {
     Stencil at;
     at.local = u;
     set_slopes(at);
-    return crooked_inverse(at.slope);
+    return crooked_inverse(grid, node, at.slope);
   }
   /// Newton's method from the affine guess; quadratic, a convex cell never needs 20 steps. Lanes far outside (dead
   /// slots, points about to be held) are kept within three cells. A lane that has arrived stays: how long others, dead
   /// ones even, have to go on must not show in its bits.
-  [[gnu::noinline]] Place crooked_local(Place x, Place u) const {
+  [[gnu::noinline]] static Place crooked_local(const Grid<dim>& grid, const int* node, Place x, Place u) {
     Stencil at;
     LaneMask moving(true);
     for (int iteration = 0; iteration < 20 && any(moving); ++iteration) {
@@ -258,10 +260,10 @@ class LinearShape {
       at.local = u;
       set_values(at);
       set_slopes(at);
-      at.inverse = crooked_inverse(at.slope);
+      at.inverse = crooked_inverse(grid, node, at.slope);
       Place miss = x;
       for (int i = 0; i < nodes; ++i)
-        for (int a = 0; a < dim; ++a) miss[a] -= at.value[i] * grid_.node(node_[i])[a];
+        for (int a = 0; a < dim; ++a) miss[a] -= at.value[i] * grid.node(node[i])[a];
       LaneMask far(false);
       for (int b = 0; b < dim; ++b) {
         Lanes step = at.inverse[b][0] * miss[0];

@@ -47,9 +47,11 @@ class MoveCells {
   /// `size` holds the smallest altitude of each cell [m].
   void operator()(std::span<const Block> blocks, const std::vector<double>& size, MoveFindings& found) {
     constexpr std::size_t ahead = 4;
+    Shape shape = shape_;  // known to nobody else: what it holds of a cell stays in registers
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       if (b + ahead < blocks.size()) fetch(blocks[b + ahead].first);
-      pass(blocks[b], 1 / (size[blocks[b].cell] * size[blocks[b].cell]), found);
+      shape.enter(blocks[b]);
+      pass(blocks[b], shape, 1 / (size[blocks[b].cell] * size[blocks[b].cell]), found);
     }
     finish(found);
   }
@@ -85,20 +87,19 @@ class MoveCells {
     point_.fetch_stress(slot);
   }
 
-  [[gnu::always_inline]] void pass(const Block& block, double rate, MoveFindings& found) {
-    shape_.enter(block);
+  [[gnu::always_inline]] void pass(const Block& block, const Shape& shape, double rate, MoveFindings& found) {
     Steps step;
-    const double dilation = prepare(step);
+    const double dilation = prepare(shape, step);
     for (std::size_t k = 0; k < block.count; k += lane_count) {
       const std::size_t p = block.first + k;
       const LaneMask live = live_lanes(block.count - k);
       Place x;
       each<dim>([&](auto a) __attribute__((always_inline)) { x[a] = load(point_.position[a] + p); });
       typename Shape::Stencil at;
-      shape_.map(x, at);
+      shape.map(x, at);
       if (parts_.strain) {
         if (batch_.points + lane_count > room) finish(found);
-        strain(p, live, at, step, dilation);
+        strain(p, shape, live, at, step, dilation);
         const std::size_t count = std::min<std::size_t>(lane_count, block.count - k);
         batch_.pieces[batch_.count++] = {p, static_cast<std::uint32_t>(batch_.points),
                                          static_cast<std::uint32_t>(count), rate};
@@ -107,13 +108,13 @@ class MoveCells {
       if (parts_.move) {
         Lanes square(0.0);
         each<dim>([&](auto a) __attribute__((always_inline)) {
-          x[a] = select(live, x[a] + shape_.value(step[a], at), x[a]);
+          x[a] = select(live, x[a] + shape.value(step[a], at), x[a]);
           store(x[a], point_.position[a] + p);
           const Lanes v = load(point_.velocity[a] + p);
           square += v * v;
         });
         found.motion = max(found.motion, square * rate);
-        const LaneMask out = live && shape_.outside(x);
+        const LaneMask out = live && shape.outside(x);
         if (any(out))
           for (std::size_t lane = 0; lane < lane_count; ++lane)
             if (out[lane]) found.leaving->push_back({block.cell, block.cell, k + lane, block.soil});
@@ -122,21 +123,21 @@ class MoveCells {
   }
 
   /// dt v_i of the cell's nodes; returns the trace of their mean gradient where that stands for the points' own.
-  [[gnu::always_inline]] double prepare(Steps& step) const {
+  [[gnu::always_inline]] double prepare(const Shape& shape, Steps& step) const {
     each<dim>([&](auto a) __attribute__((always_inline)) {
-      step[a] = shape_.field([&](int i) __attribute__((always_inline)) {
-        return parts_.dt * node_.velocity[a][shape_.node(i)];
+      step[a] = shape.field([&](int i) __attribute__((always_inline)) {
+        return parts_.dt * node_.velocity[a][shape.node(i)];
       });
     });
-    return parts_.strain && parts_.b_bar ? shape_.mean_divergence(step) : 0;
+    return parts_.strain && parts_.b_bar ? shape.mean_divergence(step) : 0;
   }
 
   /// Gradient and stress of a piece to the batch, and its volume.
-  [[gnu::always_inline]] void strain(std::size_t p, const LaneMask& live, const typename Shape::Stencil& at,
-                                     const Steps& step, double dilation) {
+  [[gnu::always_inline]] void strain(std::size_t p, const Shape& shape, const LaneMask& live,
+                                     const typename Shape::Stencil& at, const Steps& step, double dilation) {
     StepGradient<dim, Lanes> gradient;
     each<dim>([&](auto a) __attribute__((always_inline)) {
-      const Place along = shape_.slopes(step[a], at);
+      const Place along = shape.slopes(step[a], at);
       each<dim>([&](auto d) __attribute__((always_inline)) {
         gradient.plane[a][d] = along[0] * at.inverse[0][d];
         each<dim - 1>([&](auto b) __attribute__((always_inline)) {

@@ -30,7 +30,7 @@ class PointsCell {
       : shape_(shape), point_(columns), node_(columns), parts_(parts) {}
 
   void fetch(std::size_t slot) const { point_.fetch_motion(slot); }
-  void operator()(const Block& block) {
+  [[gnu::always_inline]] void operator()(const Block& block) {
     shape_.enter(block);
     if (parts_.back)
       pass<true>(block);
@@ -79,7 +79,10 @@ class PointsCell {
     }
     if constexpr (back)
       each<dim>([&](auto a) __attribute__((always_inline)) {
-        add_sums(momentum[a], node_.velocity[a], [this](int i) { return shape_.node(i); });
+        if constexpr (requires { shape_.add_to_nodes(Lanes{}, node_.velocity[a]); })
+          shape_.add_to_nodes(sums(momentum[a][0], momentum[a][1], momentum[a][2], momentum[a][3]), node_.velocity[a]);
+        else
+          add_sums(momentum[a], node_.velocity[a], [this](int i) { return shape_.node(i); });
       });
   }
 
