@@ -3,6 +3,7 @@
 #include "mpm/grid/cell_integrals.h"
 #include "mpm/grid/material_points.h"
 #include "mpm/lanes.h"
+#include "mpm/skeleton/cell_nodes.h"
 
 namespace wetfront::mpm {
 
@@ -30,7 +31,7 @@ class LinearShape {
     cell_ = block.cell;
     node_ = block.nodes;
     affine_ = grid_.affine(cell_);
-    in_rows_ = node_[1] == node_[0] + 1 && node_[2] == node_[3] + 1;
+    at_nodes_ = CellNodes<dim>(node_);
     const auto& map = grid_.map(cell_);
     for (int b = 0; b < dim; ++b) {
       centre_[b] = map.centre[b];
@@ -116,17 +117,7 @@ class LinearShape {
   }
   /// Adds a number for each node of a quadrilateral to its entry of a column.
   [[gnu::always_inline]] void add_to_nodes(const Lanes& value, double* to) const requires(dim == 2) {
-#ifdef __AVX__
-    if (in_rows_) {
-      const __m256d v = static_cast<__m256d>(value);
-      double *low = to + node_[0], *high = to + node_[3];
-      _mm_storeu_pd(low, _mm_add_pd(_mm_loadu_pd(low), _mm256_castpd256_pd128(v)));
-      const __m128d top = _mm256_extractf128_pd(v, 1);
-      _mm_storeu_pd(high, _mm_add_pd(_mm_loadu_pd(high), _mm_shuffle_pd(top, top, 1)));
-      return;
-    }
-#endif
-    for (int i = 0; i < nodes; ++i) to[node_[i]] += value[static_cast<std::size_t>(i)];
+    at_nodes_.add({value}, to);
   }
 
   [[gnu::always_inline]] Place local(const Place& x) const {
@@ -147,9 +138,7 @@ class LinearShape {
     return out;
   }
   /// The local coordinates only; `value` of a field needs no more.
-  [[gnu::always_inline]] void places(const Place& x, Stencil& at) const {
-    at.local = local(x);
-  }
+  [[gnu::always_inline]] void places(const Place& x, Stencil& at) const { at.local = local(x); }
   /// And the map; `slopes` of a field and `inverse` are its gradient.
   [[gnu::always_inline]] void map(const Place& x, Stencil& at) const {
     at.local = local(x);
@@ -181,9 +170,7 @@ class LinearShape {
   [[gnu::always_inline]] static Lanes in_plane(const Field& f, int k, const Place& u) {
     return (u[0] * f.c[k + 3] + f.c[k + 2]) * u[1] + (u[0] * f.c[k + 1] + f.c[k]);
   }
-  static constexpr bool upper(int i, int axis) {
-    return node_sign(i, axis) > 0;
-  }
+  static constexpr bool upper(int i, int axis) { return node_sign(i, axis) > 0; }
 
   [[gnu::always_inline]] static void set_values(Stencil& at) {
     std::array<Lanes, dim> other;
@@ -296,7 +283,7 @@ class LinearShape {
   std::size_t cell_ = 0;
   const int* node_ = nullptr;
   bool affine_ = true;
-  bool in_rows_ = false;  ///< the nodes of a quadrilateral are numbered along its two rows
+  CellNodes<dim> at_nodes_;
   Vector<dim> centre_{};
   std::array<Vector<dim>, dim> inverse_{};  ///< du/dx
 };

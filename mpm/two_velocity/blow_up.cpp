@@ -1,8 +1,12 @@
 #include "mpm/two_velocity/blow_up.h"
 
+#include "mpm/lanes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
+#include <utility>
 
 namespace wetfront::mpm {
 
@@ -54,29 +58,66 @@ void BlowUp<dim>::remember() {
   std::ranges::copy(water_.flux->values(), before_.values().begin());
 }
 
+/// At a node, or at four: takes the change of flux there and counts. Gives its square, and where it tells of a blow-up.
+template <int dim>
+template <class Number>
+auto BlowUp<dim>::look_at(std::size_t i) {
+  const auto at = [i](double* column) -> Number {
+    if constexpr (std::is_same_v<Number, double>)
+      return column[i];
+    else
+      return load(column + i);
+  };
+  const auto put = [i](const Number& value, double* column) {
+    if constexpr (std::is_same_v<Number, double>)
+      column[i] = value;
+    else
+      store(value, column + i);
+  };
+  Number along(0.0), square(0.0), square_before(0.0);
+  for (int a = 0; a < dim; ++a) {
+    const Number last = at(change_[a]), now = at((*water_.flux)[a]) - at(before_[a]);
+    along += last * now;
+    square += now * now;
+    square_before += last * last;
+    put(now, change_[a]);
+  }
+  // Opposed within 60 degrees.
+  const auto opposed = along < 0.0 && along * along > 0.25 * square * square_before;
+  const Number streak = select(opposed, at(streak_[reversals]) + 1.0, Number(0.0));
+  put(streak, streak_[reversals]);
+  const Number most = max(growth * growth * at(streak_[largest_at_first]), Number(floor_));
+  return std::pair{square, streak >= static_cast<double>(shortest_) && square > most};
+}
+
 template <int dim>
 void BlowUp<dim>::examine() {
-  double largest = 0;  // square of the largest change
-  for (std::size_t i = 0; i < before_.size(); ++i) {
-    double along = 0, square = 0, square_before = 0;
-    for (int a = 0; a < dim; ++a) {
-      const double last = change_[a][i], now = (*water_.flux)[a][i] - before_[a][i];
-      along += last * now;
-      square += now * now;
-      square_before += last * last;
-      change_[a][i] = now;
-    }
+  const std::size_t nodes = before_.size();
+  Lanes largest_of_four(0.0);  // squares of changes
+  std::size_t i = 0;
+  const auto stop_if = [this](bool struck, std::size_t node, double square) {
+    if (struck) throw StepFailed(report(node, std::sqrt(square)));
+  };
+  for (; i + lane_count <= nodes; i += lane_count) {
+    const auto [square, struck] = look_at<Lanes>(i);
+    largest_of_four = max(largest_of_four, square);
+    if (any(struck))
+      for (std::size_t lane = 0; lane < lane_count; ++lane) stop_if(struck[lane], i + lane, square[lane]);
+  }
+  double largest = std::experimental::hmax(largest_of_four);
+  for (; i < nodes; ++i) {
+    const auto [square, struck] = look_at<double>(i);
     largest = std::max(largest, square);
-    // Opposed within 60 degrees.
-    streak_[reversals][i] = along < -0.5 * std::sqrt(square * square_before) ? streak_[reversals][i] + 1 : 0;
-    if (streak_[reversals][i] >= shortest_ && square > std::max(growth * growth * streak_[largest_at_first][i], floor_))
-      throw StepFailed(report(i, std::sqrt(square)));
+    stop_if(struck, i, square);
   }
   // A body in motion is quiet at times and struck at others: there a node keeps the largest change that it has known.
   const bool moves = shortest_ == shortest_in_motion;
-  for (std::size_t i = 0; i < before_.size(); ++i)
-    if (streak_[reversals][i] == 0)
-      streak_[largest_at_first][i] = moves ? std::max(largest, streak_[largest_at_first][i]) : largest;
+  double *most = streak_[largest_at_first], *count = streak_[reversals];
+#pragma GCC ivdep
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const double now = moves ? std::max(largest, most[node]) : largest;
+    most[node] = count[node] == 0 ? now : most[node];
+  }
 }
 
 template <int dim>

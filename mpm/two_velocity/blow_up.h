@@ -27,6 +27,8 @@ class BlowUp {
   void examine();
 
  private:
+  template <class Number>
+  auto look_at(std::size_t node);
   /// What, where, how much, and the step against its limit.
   std::string report(std::size_t node, double size) const;
 

@@ -28,7 +28,9 @@ Body<dim>::Body(const StagePlan<dim>& plan)
       occupied_(plan.fields.grid.cell_count()),
       at_surface_(plan.fields.grid.cell_count()),
       open_(plan.fields.grid.cell_count()),
-      touched_(plan.fields.grid.node_count()) {
+      was_surface_(plan.fields.grid.cell_count()),
+      looked_at_(plan.fields.grid.cell_count()),
+      cells_around_(plan.fields.grid.node_count()) {
   const auto& sides = plan.problem.mesh.sides;
   for (std::size_t k = 0; k < plan.problem.water_boundary.size(); ++k)
     if (const auto* rain = std::get_if<RainSide>(&plan.problem.water_boundary[k])) {
@@ -44,33 +46,64 @@ Body<dim>::Body(const StagePlan<dim>& plan)
 
 template <int dim>
 bool Body<dim>::update() {
-  const auto blocks = plan_.fields.points.blocks();
-  bool same = blocks.size() == of_blocks_.size();
-  for (std::size_t b = 0; same && b < blocks.size(); ++b) same = blocks[b].cell == of_blocks_[b];
-  if (same) return false;
-  for (std::size_t cell : cells_) occupied_[cell] = 0;
+  const auto& points = plan_.fields.points;
+  if (version_ == points.version()) return false;
+  const bool first = version_ < 0;
+  version_ = points.version();
+  changed_.clear();
+  cells_before_.swap(cells_);
   cells_.clear();
-  of_blocks_.clear();
-  for (const Block& block : blocks) {
-    of_blocks_.push_back(block.cell);
-    if (occupied_[block.cell] != 0) continue;  // two soils in one cell
+  constexpr char listed = 2;
+  for (const Block& block : points.blocks()) {
+    if (!occupied(static_cast<int>(block.cell))) change(block.cell, true);
+    if (occupied_[block.cell] == listed) continue;  // two soils in one cell
+    occupied_[block.cell] = listed;
     cells_.push_back(block.cell);
-    occupied_[block.cell] = 1;
   }
-  std::fill(touched_.begin(), touched_.end(), 0);
-  for (const Block& block : blocks)
-    for (int i = 0; i < cell_nodes<dim>; ++i) touched_[static_cast<std::size_t>(block.nodes[i])] = 1;
-  nodes_.clear();
-  for (std::size_t i = 0; i < touched_.size(); ++i)
-    if (touched_[i] != 0) nodes_.push_back(static_cast<int>(i));
+  if (plan_.problem.soils.size() > 1) std::ranges::sort(cells_);
+  for (std::size_t cell : cells_before_)
+    if (occupied_[cell] != listed) change(cell, false);
+  for (std::size_t cell : cells_) occupied_[cell] = 1;
+  if (changed_.empty() && !first) return false;
+  find_nodes();
   find_outer();
   return true;
+}
+
+/// Of a cell that has come or gone: its faces and those of the cells across.
+template <int dim>
+void Body<dim>::change(std::size_t cell, bool occupied) {
+  occupied_[cell] = occupied ? 1 : 0;
+  changed_.push_back(cell);
+  const int* nodes = plan_.fields.grid.cell_nodes_of(cell);
+  for (int i = 0; i < cell_nodes<dim>; ++i) cells_around_[static_cast<std::size_t>(nodes[i])] += occupied ? 1 : -1;
+  looked_at_[cell] = 1;
+  for (int f = 0; f < cell_faces<dim>; ++f)
+    if (const int across = faces_.neighbour(cell, f); across >= 0) looked_at_[static_cast<std::size_t>(across)] = 1;
+}
+
+template <int dim>
+void Body<dim>::find_nodes() {
+  left_nodes_.clear();
+  for (int i : nodes_)
+    if (cells_around_[static_cast<std::size_t>(i)] == 0) left_nodes_.push_back(i);
+  nodes_.clear();
+  for (std::size_t i = 0; i < cells_around_.size(); ++i)
+    if (cells_around_[i] != 0) nodes_.push_back(static_cast<int>(i));
+  node_runs_.clear();
+  for (int i : nodes_) {
+    const auto node = static_cast<std::size_t>(i);
+    if (node_runs_.empty() || node_runs_.back().last != node) node_runs_.push_back({node, node});
+    node_runs_.back().last = node + 1;
+  }
 }
 
 template <int dim>
 void Body<dim>::find_outer() {
   outer_count_ = 0;
-  for (std::size_t cell : cells_)
+  for (std::size_t cell : cells_) {
+    if (looked_at_[cell] == 0) continue;
+    const std::size_t before = outer_count_;
     for (int f = 0; f < cell_faces<dim>; ++f) {
       const int across = faces_.neighbour(cell, f);
       if (across >= 0 && occupied_[static_cast<std::size_t>(across)] != 0) continue;
@@ -80,12 +113,16 @@ void Body<dim>::find_outer() {
       outer.rains.clear();
       if (!rain_.empty()) rain_on(outer);
     }
+    if (outer_count_ == before) looked_at_[cell] = 0;
+  }
   if (std::find(side_of_rain_.begin(), side_of_rain_.end(), -1) != side_of_rain_.end()) shade();
   find_surface();
 }
 
 template <int dim>
 void Body<dim>::find_surface() {
+  for (std::size_t cell : surface_cells_) was_surface_[cell] = 1;
+  const std::vector<std::size_t>& before = surface_before_ = surface_cells_;
   for (std::size_t cell : near_) at_surface_[cell] = open_[cell] = 0;
   surface_cells_.clear();
   near_.clear();
@@ -96,6 +133,12 @@ void Body<dim>::find_surface() {
       surface_cells_.push_back(face.cell);
       near_.push_back(face.cell);
     }
+  }
+  for (std::size_t cell : surface_cells_)
+    if (was_surface_[cell] == 0) changed_.push_back(cell);
+  for (std::size_t cell : before) {
+    was_surface_[cell] = 0;
+    if (!at_surface(cell)) changed_.push_back(cell);
   }
   for (std::size_t cell : surface_cells_)
     for (int f = 0; f < cell_faces<dim>; ++f) {

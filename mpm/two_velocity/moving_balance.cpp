@@ -13,16 +13,15 @@ namespace wetfront::mpm {
 template <int dim>
 void MovingLiquid<dim>::balance(double dt, bool as_printed) {
   const auto flux = axes<dim>(as_printed ? *w_.velocity : *w_.flux);
-  const auto leaves = [&](std::size_t at) {
-    const LiquidBlock<dim>& sums = blocks_[at];
-    return sums.part * outflow(cell_of(at), flux) * (as_printed ? sums.water / sums.volume : 1.0);
+  const auto leaves = [&](const Block& block) {
+    const LiquidBlock<dim>& sums = blocks_[place(block)];
+    return sums.part * outflow(block, flux) * (as_printed ? sums.water / sums.volume : 1.0);
   };
   over_cells([&](std::span<const Block> blocks, Found&) {
     for (const Block& block : blocks) {
-      const std::size_t at = place(block);
-      const LiquidBlock<dim>& sums = blocks_[at];
+      const LiquidBlock<dim>& sums = blocks_[place(block)];
       if (sums.group >= 0) continue;
-      const double out = dt * leaves(at);
+      const double out = dt * leaves(block);
       drain({&block, 1}, out / sums.volume, (sums.water - out) / sums.pores);
     }
   });
@@ -33,9 +32,9 @@ void MovingLiquid<dim>::balance(double dt, bool as_printed) {
     for (std::size_t at : group.blocks) {
       const int soil = static_cast<int>(at / geometry_.size());
       const std::size_t cell = cell_of(at);
-      members_.push_back(
-          {cell, nullptr, plan_.fields.points.first_slot(cell, soil), plan_.fields.points.count_of_cell()[at], soil});
-      out += dt * leaves(at);
+      members_.push_back({cell, plan_.fields.grid.cell_nodes_of(cell), plan_.fields.points.first_slot(cell, soil),
+                          plan_.fields.points.count_of_cell()[at], soil});
+      out += dt * leaves(members_.back());
     }
     drain(members_, out / group.volume, (group.water - out) / group.pores);
   }

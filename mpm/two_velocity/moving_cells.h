@@ -22,21 +22,26 @@ struct LiquidLaws {
   double mobility(double p) const { return saturated_mobility * permeability.at(-p).value; }
 };
 
+/// A vector for each node of a cell, axis by axis.
+template <int dim>
+using NodalVectors = std::array<std::array<double, cell_nodes<dim>>, dim>;
+
 /// What a block of points, those of one soil in one cell, holds of the liquid.
 template <int dim>
 struct LiquidBlock {
-  double volume = 0;                                ///< sum_p V_p [m^dim]
-  double pores = 0;                                 ///< volume less grains [m^dim]
-  double water = 0;                                 ///< sum_p W_p [m^dim]
-  double pressure = 0;                              ///< e^-1(water/pores) [Pa]
-  double mobility = 0;                              ///< k k_rel(p)/mu [m2/(Pa s)]
-  double saturation = 0;                            ///< S [-]
-  double content = 0;                               ///< water/pores of the block, or of its group [-]
-  double fill = 1;                                  ///< volume over that of the cell; of a group, over its host's [-]
-  int group = -1;                                   ///< LiquidGroup; -1: none
-  double part = 1;                                  ///< of the volume of all points of its cell [-]
-  Vector<dim> centre{};                             ///< sum_p V_p x_p / volume [m]
-  std::array<Vector<dim>, cell_nodes<dim>> push{};  ///< sum_p V_p grad N_i [m^(dim-1)]
+  double volume = 0;         ///< sum_p V_p [m^dim]
+  double pores = 0;          ///< volume less grains [m^dim]
+  double water = 0;          ///< sum_p W_p [m^dim]
+  double pressure = 0;       ///< e^-1(water/pores) [Pa]
+  double mobility = 0;       ///< k k_rel(p)/mu [m2/(Pa s)]
+  double saturation = 0;     ///< S [-]
+  double slope = 0;          ///< de/dp at the pressure [1/Pa]
+  double content = 0;        ///< water/pores of the block, or of its group [-]
+  double fill = 1;           ///< volume over that of the cell; of a group, over its host's [-]
+  int group = -1;            ///< LiquidGroup; -1: none
+  double part = 1;           ///< of the volume of all points of its cell [-]
+  Vector<dim> centre{};      ///< sum_p V_p x_p / volume [m]
+  NodalVectors<dim> push{};  ///< sum_p V_p grad N_i [m^(dim-1)]
 };
 
 /// A cell at the surface that is hardly filled shares one pressure with a fuller cell beside it: what flows through its

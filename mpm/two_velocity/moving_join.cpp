@@ -52,22 +52,30 @@ void TwoVelocityLiquid<dim>::join_moving(StagePlan<dim>& plan) {
     moving_->begin_body();
     moving_->sum();
   });
+  plan.at_begin([this] { outside_holds_ = true; });  // first values are given to all nodes
   add_moving_momentum(plan);
   add_moving_balance(plan);
   // Measured by step/two_velocity_unsaturated of the benchmarks; the skeleton's own share is its own.
   plan.expect_cost(60e-9 * static_cast<double>(plan.fields.points.size()));
 }
 
-/// Nodes that no cell with points has any more forget what the liquid was there.
+/// Nodes that no cell with points has any more forget what the liquid was there; when a stage begins all that have
+/// none.
 template <int dim>
 void TwoVelocityLiquid<dim>::clear_left_nodes() {
   TwoVelocityWater<dim>& w = *water_;
-  there_.assign(w.flux->size(), 0);
-  for (int i : w.body->nodes()) there_[static_cast<std::size_t>(i)] = 1;
+  std::vector<int> outside;
+  if (outside_holds_) {
+    std::vector<char> there(w.flux->size());
+    for (int i : w.body->nodes()) there[static_cast<std::size_t>(i)] = 1;
+    for (std::size_t i = 0; i < there.size(); ++i)
+      if (there[i] == 0) outside.push_back(static_cast<int>(i));
+  }
+  const std::vector<int>& left = outside_holds_ ? outside : w.body->left_nodes();
+  outside_holds_ = false;
   for (Column* column : {w.flux, w.pressure, w.solid_velocity, w.rain_rate, w.volume, w.content})
     for (int a = 0; a < column->spec().components; ++a)
-      for (std::size_t i = 0; i < there_.size(); ++i)
-        if (there_[i] == 0) (*column)[a][i] = 0;
+      for (int i : left) (*column)[a][i] = 0;
 }
 
 template <int dim>

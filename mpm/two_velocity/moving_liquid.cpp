@@ -19,7 +19,10 @@ MovingLiquid<dim>::MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& wat
       points_(points),
       weight_(weight),
       body_(plan),
+      cells_(plan.fields.grid.cell_count()),
       geometry_(cell_geometry(plan.fields.grid)),
+      faces_(geometry_.size()),
+      cells_at_(plan.fields.grid.node_count() + 1),
       blocks_(plan.fields.grid.cell_count() * plan.problem.soils.size()),
       team_(plan.problem.threads),
       chunks_(plan.fields.grid.cell_count(), plan.fields.grid.node_count(),
@@ -30,17 +33,19 @@ MovingLiquid<dim>::MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& wat
       shares_(blocks_.size()),
       nodes_(plan.fields.grid.node_count()),
       gifts_(plan.fields.grid.node_count()),
-      back_(plan.fields.grid.node_count()),
       solid_at_(plan.fields.grid.node_count()),
       decided_(plan.fields.grid.node_count()),
       drag_(plan.fields.grid.node_count()),
+      falls_(plan.fields.grid.node_count()),
       full_(plan.fields.grid.node_count()),
       all_(plan.fields.grid.node_count()) {
   const auto gather = [](const auto& values) { gather_pages(values.data(), values.size() * sizeof(values[0])); };
-  gather(geometry_), gather(blocks_), gather(shares_), gather(nodes_), gather(gifts_), gather(back_);
-  gather(solid_at_), gather(decided_), gather(drag_), gather(full_), gather(all_);
-  // As cells that were near the surface get theirs back: a continued run has the same bits.
-  for (std::size_t cell = 0; cell < geometry_.size(); ++cell) set_faces(cell, true);
+  gather(geometry_), gather(blocks_), gather(shares_), gather(nodes_), gather(gifts_);
+  gather(solid_at_), gather(decided_), gather(drag_), gather(falls_), gather(full_), gather(all_), gather(faces_);
+  for (auto& axis : back_) axis.resize(nodes_.size()), gather(axis);
+  find_cells_at_nodes();
+  for (std::size_t cell = 0; cell < cells_; ++cell) faces_[cell] = faces_of(cell, true);
+  whole_faces_ = faces_;
   for (const Soil& soil : plan.problem.soils) {
     const TabulatedSoilWater laws = tabulated_soil_water(soil, *plan.problem.water);
     laws_.push_back({TabulatedContent(laws.curve, plan.problem.water->bulk_modulus), laws.permeability,
@@ -49,50 +54,19 @@ MovingLiquid<dim>::MovingLiquid(StagePlan<dim>& plan, TwoVelocityWater<dim>& wat
   }
 }
 
-/// What depends on which cells hold points.
-template <int dim>
-void MovingLiquid<dim>::begin_body() {
-  const Grid<dim>& grid = plan_.fields.grid;
-  w_.walls.find(grid, body_);
-  std::fill(full_.begin(), full_.end(), 0.0);
-  std::fill(all_.begin(), all_.end(), 0.0);
-  for (std::size_t cell : body_.cells())
-    for (int i = 0; i < cell_nodes<dim>; ++i) {
-      const auto node = static_cast<std::size_t>(grid.cell_nodes_of(cell)[i]);
-      all_[node] += geometry_[cell].extent[i];
-      if (!body_.at_surface(cell)) full_[node] += geometry_[cell].extent[i];
-    }
-  hanging_.clear();
-  rained_.clear();
-  for (const auto& outer : body_.outer()) {
-    const auto local = local_face<dim>(outer.face);
-    const auto integrals = Faces<dim>::integrals(grid, outer.cell, outer.face);
-    double size = 0;
-    Vector<dim> whole{};
-    for (const auto& part : integrals)
-      for (int a = 0; a < dim; ++a) whole[a] += part[a];
-    size = length<dim>(whole);
-    for (std::size_t k = 0; k < local.size(); ++k) {
-      const int node = grid.cell_nodes_of(outer.cell)[local[k]];
-      Hanging hanging{node, integrals[k]};
-      for (double& component : hanging.force) component *= dot<dim>(weight_, grid.node(node));
-      hanging_.push_back(hanging);
-      if (!outer.rains.empty())
-        rained_.push_back({node, outer.cell, integrals[k], geometry_[outer.cell].volume / size});
-    }
-  }
-  for (auto& listener : listeners_) listener();
-}
-
 template <int dim>
 void MovingLiquid<dim>::sum() {
-  if (body_.update()) begin_body();
+  if (body_.update()) {
+    for (std::size_t cell : body_.changed())
+      for (int i = 0; i < cell_nodes<dim>; ++i)
+        find_extents(static_cast<std::size_t>(plan_.fields.grid.cell_nodes_of(cell)[i]));
+    find_border();
+  }
   if (version_ != plan_.fields.points.version()) {
     chunks_.update(plan_.fields.points, static_cast<int>(laws_.size()));
     version_ = plan_.fields.points.version();
   }
-  const LiquidNode<dim> nothing{};
-  for (int i : body_.nodes()) nodes_[static_cast<std::size_t>(i)] = nothing;
+  for (int i : body_.nodes()) nodes_[static_cast<std::size_t>(i)] = {};
   over_cells([this](std::span<const Block> blocks, Found& found) { sum_cells(blocks, found); });
   stored_ = held_ = 0;
   for (const Found& found : found_) {
@@ -179,29 +153,32 @@ void MovingLiquid<dim>::sum_points(const Block& block, LinearShape<dim>& shape, 
         }
     }
   }
-  double all[values][cell_nodes<dim>], moments[lane_count];
+  double moments[lane_count];
   store(first_moment, moments);
+  LiquidBlock<dim>& sums = blocks_[place(block)];
   if constexpr (dim == 2) {
-    for (int i = 0; i < 4; ++i) {
-      add(sums_of[static_cast<std::size_t>(i)][0], &nodes_[static_cast<std::size_t>(block.nodes[i])].volume);
-      for (int k = 0; k < 2; ++k) all[k][i] = sums_of[static_cast<std::size_t>(i)][0][static_cast<std::size_t>(k)];
-    }
+    Lanes whole(0.0);
+    each<4>([&](auto i) __attribute__((always_inline)) {
+      const Lanes& node = sums_of[i][0];
+      add(node, &nodes_[static_cast<std::size_t>(block.nodes[i])].volume);
+      share[i] = node[0];
+      whole += node;
+    });
+    sums.volume = whole[0], sums.water = whole[1];
   } else {
+    double all[values][cell_nodes<dim>];
     for (std::size_t k = 0; k < values; ++k)
       for (std::size_t g = 0; g < cell_nodes<dim> / lane_count; ++g) store(sums_of[k][g], all[k] + lane_count * g);
+    sums.volume = sums.water = 0;
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       LiquidNode<dim>& node = nodes_[static_cast<std::size_t>(block.nodes[i])];
       node.volume += all[0][i];
       node.water += all[1][i];
       for (int a = 0; a < dim; ++a) node.momentum[a] += all[2 + a][i];
+      share[i] = all[0][i];
+      sums.volume += all[0][i];
+      sums.water += all[1][i];
     }
-  }
-  LiquidBlock<dim>& sums = blocks_[place(block)];
-  sums.volume = sums.water = 0;
-  for (int i = 0; i < cell_nodes<dim>; ++i) {
-    share[i] = all[0][i];
-    sums.volume += all[0][i];
-    sums.water += all[1][i];
   }
   const double per_volume = 1 / sums.volume;
   for (int a = 0; a < dim; ++a) sums.centre[a] = moments[a] * per_volume;
@@ -217,8 +194,7 @@ void MovingLiquid<dim>::find_pressure(const Block& block, const LiquidLaws& laws
   sums.fill = 1;
   const double content = sums.water / sums.pores, p = laws.content.pressure_of(content);
   if (!explains(p) && found.burst == Found::none) found.burst = place(block);
-  take_pressure(place(block), p, content, laws);
-  found.stored += sums.pores * laws.content.value(p);
+  found.stored += sums.pores * take_pressure(place(block), p, content, laws);
 }
 
 /// What a cell brings to its nodes once its pressure is known; at the surface that comes later.
@@ -248,13 +224,18 @@ void MovingLiquid<dim>::find_push(const Block& block, const LinearShape<dim>& sh
                                   LiquidBlock<dim>& sums) const {
   if (plan_.problem.skeleton.locking == LockingRemedy::b_bar) {
     // The gradient that the skeleton's change of volume has: what p works on.
-    std::array<Vector<dim>, cell_nodes<dim>> mean;
-    shape.mean_gradients(mean);
-    for (int i = 0; i < cell_nodes<dim>; ++i)
-      for (int a = 0; a < dim; ++a) sums.push[i][a] = sums.volume * mean[i][a];
+    if constexpr (dim == 2) {
+      const auto mean = shape.mean_gradients();
+      for (int a = 0; a < dim; ++a) store(mean[a] * sums.volume, sums.push[a].data());
+    } else {
+      std::array<Vector<dim>, cell_nodes<dim>> mean;
+      shape.mean_gradients(mean);
+      for (int i = 0; i < cell_nodes<dim>; ++i)
+        for (int a = 0; a < dim; ++a) sums.push[a][i] = sums.volume * mean[i][a];
+    }
     return;
   }
-  if (!plan_.fields.grid.affine(block.cell)) return push_of_crooked_cell(block, shape, sums);
+  if (!plan_.fields.grid.affine(block.cell)) return push_of_crooked_cell(block, sums);
   constexpr auto partner = [](int i, int b) {
     for (int j = 0; j < cell_nodes<dim>; ++j) {
       bool is = node_sign(j, b) != node_sign(i, b);
@@ -270,13 +251,14 @@ void MovingLiquid<dim>::find_push(const Block& block, const LinearShape<dim>& sh
       const double slope = 0.5 * node_sign(i, b) * (share[i] + share[partner(i, b)]);
       for (int a = 0; a < dim; ++a) push[a] += map.inverse[b][a] * slope;
     }
-    sums.push[i] = push;
+    for (int a = 0; a < dim; ++a) sums.push[a][i] = push[a];
   }
 }
 
 template <int dim>
-void MovingLiquid<dim>::push_of_crooked_cell(const Block& block, const LinearShape<dim>& shape,
-                                             LiquidBlock<dim>& sums) const {
+void MovingLiquid<dim>::push_of_crooked_cell(const Block& block, LiquidBlock<dim>& sums) const {
+  LinearShape<dim> shape(plan_.fields.grid);
+  shape.enter(block);
   typename LinearShape<dim>::Stencil at;
   std::array<std::array<Lanes, dim>, cell_nodes<dim>> push{};
   for (std::size_t q = block.first; q < block.first + block.count; q += lane_count) {
@@ -289,19 +271,7 @@ void MovingLiquid<dim>::push_of_crooked_cell(const Block& block, const LinearSha
         for (int b = 0; b < dim; ++b) push[i][a] += v * (at.slope[i][b] * at.inverse[b][a]);
   }
   for (int i = 0; i < cell_nodes<dim>; ++i)
-    for (int a = 0; a < dim; ++a) sums.push[i][a] = mpm::sum(push[i][a]);
-}
-
-/// Of cells with two soils: the part of each block.
-template <int dim>
-void MovingLiquid<dim>::find_parts() {
-  for (const Block& block : plan_.fields.points.blocks()) {
-    double all = 0;
-    for (std::size_t soil = 0; soil < laws_.size(); ++soil)
-      if (plan_.fields.points.count_of_cell()[place(block.cell, static_cast<int>(soil))] > 0)
-        all += blocks_[place(block.cell, static_cast<int>(soil))].volume;
-    blocks_[place(block)].part = blocks_[place(block)].volume / all;
-  }
+    for (int a = 0; a < dim; ++a) sums.push[a][i] = mpm::sum(push[i][a]);
 }
 
 /// Water compressed by a tenth or drawn to half its density: no soil is there, the scheme has blown up.
@@ -311,23 +281,17 @@ bool MovingLiquid<dim>::explains(double pressure) const {
   return pressure < 0.1 * K && pressure > -0.5 * K;
 }
 
+/// Gives e(p).
 template <int dim>
-double MovingLiquid<dim>::pressure_at(const LiquidLaws& laws, double content, const Vector<dim>& centre,
-                                      std::size_t cell) const {
-  const double p = laws.content.pressure_of(content);
-  if (explains(p)) return p;
-  throw StepFailed("the two-velocity scheme has blown up: cell " + std::to_string(cell) + " at " +
-                   place_text<dim>(centre) + " holds " + std::to_string(content) +
-                   " of its pores, which no pressure explains" + step_against_limit<dim>(plan_, w_));
-}
-
-template <int dim>
-void MovingLiquid<dim>::take_pressure(std::size_t place, double pressure, double content, const LiquidLaws& laws) {
+double MovingLiquid<dim>::take_pressure(std::size_t place, double pressure, double content, const LiquidLaws& laws) {
   LiquidBlock<dim>& sums = blocks_[place];
+  const ValueAndSlope here = laws.content.value_and_slope(pressure);
   sums.pressure = pressure;
   sums.content = content;
+  sums.slope = here.slope;
   sums.mobility = laws.mobility(pressure);
   sums.saturation = laws.content.saturation(content, pressure);
+  return here.value;
 }
 
 template class MovingLiquid<2>;

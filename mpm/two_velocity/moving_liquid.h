@@ -54,12 +54,10 @@ class MovingLiquid {
 
  private:
   /// Blocks are kept by soil, then by cell.
-  std::size_t place(std::size_t cell, int soil) const {
-    return static_cast<std::size_t>(soil) * geometry_.size() + cell;
-  }
+  std::size_t place(std::size_t cell, int soil) const { return static_cast<std::size_t>(soil) * cells_ + cell; }
   std::size_t place(const Block& block) const { return place(block.cell, block.soil); }
-  std::size_t cell_of(std::size_t place) const { return place % geometry_.size(); }
-  const LiquidLaws& laws_of(std::size_t place) const { return laws_[place / geometry_.size()]; }
+  std::size_t cell_of(std::size_t place) const { return place % cells_; }
+  const LiquidLaws& laws_of(std::size_t place) const { return laws_[place / cells_]; }
   template <class Body>
   void near_surface(const Body& body) const;
   /// What a run of cells finds while the others look at theirs; added up in their order.
@@ -74,36 +72,50 @@ class MovingLiquid {
   void over_cells(const Body& body);
   template <class Body>
   void over_nodes(const Body& body);
+  template <class Body>
+  void over_node_runs(const Body& body);
+  void find_border();
+  double least_drag() const;
+  void find_cells_at_nodes();
+  void find_extents(std::size_t node);
   void sum_cells(std::span<const Block> blocks, Found& found);
-  void sum_points(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws, Shares& share);
-  void find_pressure(const Block& block, const LiquidLaws& laws, Found& found);
-  void give_pressure(const Block& block, const Shares& share);
-  void points_of(const Block& block, LinearShape<dim>& shape, double share);
-  void limit_of(const Block& block, const LiquidLaws& laws, double modulus, double ahead, Found& found) const;
+  [[gnu::always_inline]] inline void sum_points(const Block& block, LinearShape<dim>& shape, const LiquidLaws& laws,
+                                                Shares& share);
+  [[gnu::always_inline]] inline void find_pressure(const Block& block, const LiquidLaws& laws, Found& found);
+  [[gnu::always_inline]] inline void give_pressure(const Block& block, const Shares& share);
+  [[gnu::always_inline]] inline void points_of(const Block& block, LinearShape<dim>& shape, double share);
+  [[gnu::always_inline]] inline void limit_of(const Block& block, const LiquidLaws& laws, double modulus, double ahead,
+                                              Found& found) const;
+  void find_resistance();
   bool explains(double pressure) const;
-  void push_of_crooked_cell(const Block& block, const LinearShape<dim>& shape, LiquidBlock<dim>& sums) const;
+  void push_of_crooked_cell(const Block& block, LiquidBlock<dim>& sums) const;
   bool near_kink(const LiquidBlock<dim>& sums, double change, const LiquidLaws& laws) const;
   double fill_of(std::size_t cell) const;
-  void find_push(const Block& block, const LinearShape<dim>& shape, const Shares& share, LiquidBlock<dim>& sums) const;
+  [[gnu::always_inline]] inline void find_push(const Block& block, const LinearShape<dim>& shape, const Shares& share,
+                                               LiquidBlock<dim>& sums) const;
   double pressure_at(const LiquidLaws& laws, double content, const Vector<dim>& centre, std::size_t cell) const;
-  void take_pressure(std::size_t place, double pressure, double content, const LiquidLaws& laws);
+  double take_pressure(std::size_t place, double pressure, double content, const LiquidLaws& laws);
   void group_slivers();
   void share_pressures();
   void drain(std::span<const Block> blocks, double per_volume, double content) const;
-  double outflow(std::size_t cell, const std::array<double*, dim>& flux) const;
+  double outflow(const Block& block, const std::array<double*, dim>& flux) const;
   void finish_nodes();
   void add_flow_volume();
   void find_parts();
   void open_faces();
-  void set_faces(std::size_t cell, bool open);
+  NodalVectors<dim> faces_of(std::size_t cell, bool whole) const;
 
   StagePlan<dim>& plan_;
   TwoVelocityWater<dim>& w_;
   PointColumns points_;
   Vector<dim> weight_;
   Body<dim> body_;
+  std::size_t cells_;
   std::vector<CellGeometry<dim>> geometry_;
-  std::vector<std::size_t> narrowed_;  ///< cells whose faces are open in part
+  std::vector<NodalVectors<dim>> whole_faces_;  ///< integrals of grad N_i over the cells
+  std::vector<NodalVectors<dim>> faces_;        ///< integrals of grad N_i over the cells, by how far faces are open
+  std::vector<std::size_t> cells_at_, around_;  ///< per node, into around_; the cells there, ascending
+  std::vector<std::size_t> narrowed_;           ///< cells whose faces are open in part
   std::vector<LiquidLaws> laws_;
   std::vector<LiquidBlock<dim>> blocks_;
   Team team_;  ///< of its own: those who wait sleep while the skeleton's work
@@ -115,19 +127,15 @@ class MovingLiquid {
   std::size_t group_count_ = 0;
   std::vector<Block> members_;  ///< of the group at hand
   std::vector<LiquidNode<dim>> nodes_;
-  /// What points take of a node.
-  struct Gift {
-    Vector<dim> change;   ///< v_l' - v_l [m/s]
-    Vector<dim> towards;  ///< what their v_l - v_s is drawn to [m/s]
-  };
-  std::vector<Gift> gifts_;
-  std::vector<Vector<dim>> back_;      ///< (W (v_l - v_s))_i mapped back
-  std::vector<Vector<dim>> solid_at_;  ///< v_s at the start of the step
-  std::vector<Vector<dim>> decided_;   ///< v_s' of liquid and skeleton alone
-  double least_drag_ = 0;              ///< of the body's nodes [1/s]
-  std::vector<double> drag_;           ///< r of the nodes [1/s]
-  std::vector<double> full_;           ///< integral of N_i over the inner cells of the body [m^dim]
-  std::vector<double> all_;            ///< the same over all its cells [m^dim]
+  std::vector<Vector<dim>> gifts_;             ///< what the points' v_l - v_s take of a node [m/s]
+  std::array<std::vector<double>, dim> back_;  ///< (W (v_l - v_s))_i mapped back
+  std::vector<Vector<dim>> solid_at_;          ///< v_s at the start of the step
+  std::vector<Vector<dim>> decided_;           ///< v_s' of liquid and skeleton alone
+  std::vector<std::size_t> held_nodes_;        ///< nodes of the body that walls or fixities hold
+  std::vector<double> drag_;                   ///< r of the nodes, as the step limit counts it [1/s]
+  std::vector<double> falls_;                  ///< rain at the nodes per volume [1/s]
+  std::vector<double> full_;                   ///< integral of N_i over the inner cells of the body [m^dim]
+  std::vector<double> all_;                    ///< the same over all its cells [m^dim]
   struct Hanging {
     int node = 0;
     Vector<dim> force{};

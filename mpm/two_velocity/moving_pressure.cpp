@@ -17,6 +17,28 @@ void MovingLiquid<dim>::near_surface(const Body& body) const {
     }
 }
 
+/// Of cells with two soils: the part of each block.
+template <int dim>
+void MovingLiquid<dim>::find_parts() {
+  for (const Block& block : plan_.fields.points.blocks()) {
+    double all = 0;
+    for (std::size_t soil = 0; soil < laws_.size(); ++soil)
+      if (plan_.fields.points.count_of_cell()[place(block.cell, static_cast<int>(soil))] > 0)
+        all += blocks_[place(block.cell, static_cast<int>(soil))].volume;
+    blocks_[place(block)].part = blocks_[place(block)].volume / all;
+  }
+}
+
+template <int dim>
+double MovingLiquid<dim>::pressure_at(const LiquidLaws& laws, double content, const Vector<dim>& centre,
+                                      std::size_t cell) const {
+  const double p = laws.content.pressure_of(content);
+  if (explains(p)) return p;
+  throw StepFailed("the two-velocity scheme has blown up: cell " + std::to_string(cell) + " at " +
+                   place_text<dim>(centre) + " holds " + std::to_string(content) +
+                   " of its pores, which no pressure explains" + step_against_limit<dim>(plan_, w_));
+}
+
 /// Gives every cell at the surface that is filled by less than `least_fill` to the fullest cell across its faces that
 /// holds the same soil.
 template <int dim>
@@ -60,25 +82,25 @@ void MovingLiquid<dim>::group_slivers() {
 /// surface like the film it is. Both cells see the same opening: what leaves one enters the other.
 template <int dim>
 void MovingLiquid<dim>::open_faces() {
-  for (std::size_t cell : narrowed_) set_faces(cell, true);
+  for (std::size_t cell : narrowed_) faces_[cell] = whole_faces_[cell];
   narrowed_.assign(body_.surface_cells().begin(), body_.surface_cells().end());
-  for (std::size_t cell : narrowed_) set_faces(cell, false);
+  for (std::size_t cell : narrowed_) faces_[cell] = faces_of(cell, false);
 }
 
 template <int dim>
-void MovingLiquid<dim>::set_faces(std::size_t cell, bool open) {
-  auto& faces = geometry_[cell].faces;
-  faces = {};
+NodalVectors<dim> MovingLiquid<dim>::faces_of(std::size_t cell, bool whole) const {
+  NodalVectors<dim> faces{};
   for (int f = 0; f < cell_faces<dim>; ++f) {
     const int across = body_.faces().neighbour(cell, f);
     double part = 1;
-    if (!open && body_.occupied(across) && body_.at_surface(static_cast<std::size_t>(across)))
+    if (!whole && body_.occupied(across) && body_.at_surface(static_cast<std::size_t>(across)))
       part = 0.5 * (fill_of(cell) + fill_of(static_cast<std::size_t>(across)));
     const auto local = local_face<dim>(f);
     const auto integrals = Faces<dim>::integrals(plan_.fields.grid, cell, f);
     for (std::size_t k = 0; k < local.size(); ++k)
-      for (int a = 0; a < dim; ++a) faces[static_cast<std::size_t>(local[k])][a] += part * integrals[k][a];
+      for (int a = 0; a < dim; ++a) faces[a][static_cast<std::size_t>(local[k])] += part * integrals[k][a];
   }
+  return faces;
 }
 
 /// Pressures of the cells near the surface, one potential p - rho g.x in each group, and what they bring to the nodes.
@@ -112,8 +134,7 @@ void MovingLiquid<dim>::share_pressures() {
     if (sums.group < 0) {
       const LiquidLaws& laws = laws_of(at);
       const double content = sums.water / sums.pores;
-      take_pressure(at, pressure_at(laws, content, sums.centre, cell), content, laws);
-      stored_ += sums.pores * laws.content.value(sums.pressure);
+      stored_ += sums.pores * take_pressure(at, pressure_at(laws, content, sums.centre, cell), content, laws);
     }
     for (int i = 0; i < cell_nodes<dim>; ++i) {
       LiquidNode<dim>& node = nodes_[static_cast<std::size_t>(grid.cell_nodes_of(cell)[i])];
@@ -186,15 +207,19 @@ double MovingLiquid<dim>::fill_of(std::size_t cell) const {
   return 1;
 }
 
+template void MovingLiquid<2>::find_parts();
+template double MovingLiquid<2>::pressure_at(const LiquidLaws&, double, const Vector<2>&, std::size_t) const;
 template void MovingLiquid<2>::group_slivers();
 template void MovingLiquid<2>::open_faces();
-template void MovingLiquid<2>::set_faces(std::size_t, bool);
+template NodalVectors<2> MovingLiquid<2>::faces_of(std::size_t, bool) const;
 template void MovingLiquid<2>::share_pressures();
 template void MovingLiquid<2>::finish_nodes();
 template double MovingLiquid<2>::fill_of(std::size_t) const;
+template void MovingLiquid<3>::find_parts();
+template double MovingLiquid<3>::pressure_at(const LiquidLaws&, double, const Vector<3>&, std::size_t) const;
 template void MovingLiquid<3>::group_slivers();
 template void MovingLiquid<3>::open_faces();
-template void MovingLiquid<3>::set_faces(std::size_t, bool);
+template NodalVectors<3> MovingLiquid<3>::faces_of(std::size_t, bool) const;
 template void MovingLiquid<3>::share_pressures();
 template void MovingLiquid<3>::finish_nodes();
 template double MovingLiquid<3>::fill_of(std::size_t) const;

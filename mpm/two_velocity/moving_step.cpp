@@ -39,14 +39,14 @@ void MovingLiquid<dim>::add_force() {
   over_cells([&](std::span<const Block> blocks, Found&) {
     for (const Block& block : blocks) {
       const LiquidBlock<dim>& sums = blocks_[place(block)];
-      const auto& faces = geometry_[block.cell].faces;
+      const auto& faces = faces_[block.cell];
+      const CellNodes<dim> nodes(block.nodes);
       const double head = sums.part * (sums.pressure - dot<dim>(weight_, sums.centre));
       const double pore = sums.saturation * sums.pressure;
-      for (int i = 0; i < cell_nodes<dim>; ++i)
-        for (int a = 0; a < dim; ++a) {
-          force[a][block.nodes[i]] += head * faces[i][a];
-          pull[a][block.nodes[i]] += pore * sums.push[i][a];
-        }
+      for (int a = 0; a < dim; ++a) {
+        nodes.add(times(head, faces[a]), force[a]);
+        nodes.add(times(pore, sums.push[a]), pull[a]);
+      }
     }
   });
 }
@@ -54,15 +54,23 @@ void MovingLiquid<dim>::add_force() {
 /// Eqs 10 and 11 with the drag, both phases at once.
 template <int dim>
 void MovingLiquid<dim>::solve(double dt) {
-  w_.moving->solve(w_, body_.nodes(), dt);
-  const double *content = (*w_.content)[0], *mobility = (*w_.mobility)[0];
-  least_drag_ = std::numeric_limits<double>::infinity();
-  for (int i : body_.nodes()) least_drag_ = std::min(least_drag_, content[i] / (mobility[i] * w_.density));
+  over_node_runs([&](const NodeRun& run) { w_.moving->solve(w_, run, dt); });
+  for (std::size_t i : held_nodes_) w_.moving->solve_held(w_, i, dt);
   for (const auto& body : after_solve_) body();
-  for (int i : body_.nodes()) {
-    const auto node = static_cast<std::size_t>(i);
-    decided_[node] = w_.moving->get_new(solid_at_[node], node, dt);
+  over_nodes([&](std::size_t i) { decided_[i] = w_.moving->get_new(solid_at_[i], i, dt); });
+}
+
+/// Of the body's nodes [1/s].
+template <int dim>
+double MovingLiquid<dim>::least_drag() const {
+  const double *content = (*w_.content)[0], *mobility = (*w_.mobility)[0];
+  Lanes least(std::numeric_limits<double>::infinity());
+  for (const NodeRun& run : body_.node_runs()) {
+    std::size_t i = run.first;
+    for (; i + lane_count <= run.last; i += lane_count) least = min(least, load(content + i) / load(mobility + i));
+    for (; i < run.last; ++i) least = min(least, Lanes(content[i] / mobility[i]));
   }
+  return std::experimental::hmin(least) / w_.density;
 }
 
 /// What contact and sides have made of the skeleton is what drags: a base that holds it holds the liquid too, which
@@ -87,20 +95,21 @@ void MovingLiquid<dim>::follow_skeleton(double dt) {
 ///
 /// FLIP never sees what points of a cell do against each other, so no drag ever slowed it, and it came back as flux
 /// when points crossed: e is a share of PIC, no more of it than the least drag would take in the step. u_i is the mean
-/// of u_p by water, so that momentum is kept whatever e is.
+/// of u_p by water, so that momentum is kept whatever e is. What a node gives is one gift: u' = (1 - e) u + sum N gift.
 template <int dim>
 void MovingLiquid<dim>::points(double dt) {
   const auto before = axes<dim>(*w_.velocity), after = axes<dim>(*w_.velocity_new);
   constexpr double most_share = 0.02;
-  const double share = most_share * dt * least_drag_ / (1 + dt * least_drag_);
+  const double least = least_drag();
+  const double share = most_share * dt * least / (1 + dt * least);
   over_nodes([&](std::size_t i) {
-    back_[i] = {};
+    for (auto& axis : back_) axis[i] = 0;
     const Vector<dim> solid_new = w_.moving->get_new(solid_at_[i], i, dt);
     const double per_water = nodes_[i].water > 0 ? 1 / nodes_[i].water : 0;
     for (int a = 0; a < dim; ++a) {
-      const double against = before[a][i] - solid_at_[i][a];
-      gifts_[i].change[a] = after[a][i] - before[a][i];
-      gifts_[i].towards[a] = after[a][i] - solid_new[a] + (nodes_[i].momentum[a] * per_water - against);
+      const double against = before[a][i] - solid_at_[i][a], change = after[a][i] - before[a][i];
+      const double towards = after[a][i] - solid_new[a] + (nodes_[i].momentum[a] * per_water - against);
+      gifts_[i][a] = (1 - share) * change + share * towards;
     }
   });
   over_cells([&](std::span<const Block> blocks, Found&) {
@@ -111,7 +120,7 @@ void MovingLiquid<dim>::points(double dt) {
   over_nodes([&](std::size_t i) {
     const double per_water = nodes_[i].water > 0 ? 1 / nodes_[i].water : 0;
     Vector<dim> v{};
-    for (int a = 0; a < dim; ++a) v[a] = back_[i][a] * per_water;
+    for (int a = 0; a < dim; ++a) v[a] = back_[static_cast<std::size_t>(a)][i] * per_water;
     w_.walls.project(i, v);
     for (int a = 0; a < dim; ++a) velocity[a][i] = v[a] + solid[a][i];
   });
@@ -122,12 +131,9 @@ template <int dim>
 void MovingLiquid<dim>::points_of(const Block& block, LinearShape<dim>& shape, double share) {
   shape.enter(block);
   using Field = typename LinearShape<dim>::Field;
-  std::array<Field, dim> change, towards;
-  for (std::size_t a = 0; a < dim; ++a) {
-    const auto gift = [&](int i) -> const Gift& { return gifts_[static_cast<std::size_t>(block.nodes[i])]; };
-    change[a] = shape.field([&](int i) { return gift(i).change[a]; });
-    towards[a] = shape.field([&](int i) { return gift(i).towards[a]; });
-  }
+  std::array<Field, dim> gift;
+  for (std::size_t a = 0; a < dim; ++a)
+    gift[a] = shape.field([&](int i) { return gifts_[static_cast<std::size_t>(block.nodes[i])][a]; });
   std::array<NodeSums<dim>, dim> momentum;
   typename LinearShape<dim>::Stencil at;
   const std::size_t end = block.first + block.count;
@@ -140,16 +146,13 @@ void MovingLiquid<dim>::points_of(const Block& block, LinearShape<dim>& shape, d
     for (int a = 0; a < dim; ++a) {
       double* place = (*points_.velocity)[a] + q;
       const Lanes solid = load((*points_.solid_velocity)[a] + q);
-      Lanes u = load(place) - solid + shape.value(change[a], at);
-      u -= share * (u - shape.value(towards[a], at));
+      const Lanes u = (1 - share) * (load(place) - solid) + shape.value(gift[a], at);
       store_live(u + solid, place, live);
       momentum[a].add(w * u, at.value);
     }
   }
-  double sums[dim][cell_nodes<dim>];
-  for (int a = 0; a < dim; ++a) momentum[a].copy_to(sums[a]);
-  for (int i = 0; i < cell_nodes<dim>; ++i)
-    for (int a = 0; a < dim; ++a) back_[static_cast<std::size_t>(block.nodes[i])][a] += sums[a][i];
+  const CellNodes<dim> nodes(block.nodes);
+  for (std::size_t a = 0; a < dim; ++a) nodes.add(momentum[a].part, back_[a].data());
 }
 
 /// Step IV: w_i = (nS)_i (v_l - v_s)_i; from here on the column "liquid velocity" holds v_l - v_s.
@@ -168,26 +171,25 @@ void MovingLiquid<dim>::relative_velocity() {
 }
 
 template <int dim>
-double MovingLiquid<dim>::outflow(std::size_t cell, const std::array<double*, dim>& flux) const {
-  const auto& faces = geometry_[cell].faces;
-  const int* nodes = plan_.fields.grid.cell_nodes_of(cell);
-  double out = 0;
-  for (int i = 0; i < cell_nodes<dim>; ++i)
-    for (int a = 0; a < dim; ++a) out += faces[i][a] * flux[a][nodes[i]];
-  return out;
+double MovingLiquid<dim>::outflow(const Block& block, const std::array<double*, dim>& flux) const {
+  const CellNodes<dim> nodes(block.nodes);
+  Lanes out(0.0);
+  for (int a = 0; a < dim; ++a) out += product(faces_[block.cell][a], nodes.of(flux[a]));
+  return mpm::sum(out);
 }
 
 template void MovingLiquid<2>::add_force();
 template void MovingLiquid<2>::solve(double);
+template double MovingLiquid<2>::least_drag() const;
 template void MovingLiquid<2>::follow_skeleton(double);
 template void MovingLiquid<2>::points(double);
 template void MovingLiquid<2>::relative_velocity();
-template double MovingLiquid<2>::outflow(std::size_t, const std::array<double*, 2>&) const;
+template double MovingLiquid<2>::outflow(const Block&, const std::array<double*, 2>&) const;
 template void MovingLiquid<3>::add_force();
 template void MovingLiquid<3>::solve(double);
 template void MovingLiquid<3>::follow_skeleton(double);
 template void MovingLiquid<3>::points(double);
 template void MovingLiquid<3>::relative_velocity();
-template double MovingLiquid<3>::outflow(std::size_t, const std::array<double*, 3>&) const;
+template double MovingLiquid<3>::outflow(const Block&, const std::array<double*, 3>&) const;
 
 }  // namespace wetfront::mpm

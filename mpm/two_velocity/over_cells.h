@@ -30,4 +30,12 @@ void MovingLiquid<dim>::over_nodes(const Body& body) {
   });
 }
 
+/// body(run) for runs of nodes of the body that lie one after the other.
+template <int dim>
+template <class Body>
+void MovingLiquid<dim>::over_node_runs(const Body& body) {
+  const auto& runs = body_.node_runs();
+  team_.run(runs.size(), [&](std::size_t k) { body(runs[k]); });
+}
+
 }  // namespace wetfront::mpm

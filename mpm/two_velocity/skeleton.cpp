@@ -1,14 +1,17 @@
 #include "mpm/two_velocity/skeleton.h"
 
 #include "mpm/grid/column_vector.h"
+#include "mpm/lanes.h"
 #include "mpm/two_velocity/water.h"
+
+#include <type_traits>
 
 namespace wetfront::mpm {
 
 template <int dim, class Drag>
 Velocities<dim> RestingSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& water, std::size_t i, double mobility,
                                                    double dt) const {
-  NodalDrag node;
+  NodalDrag<> node;
   node.drag = dt * (*water.content)[0][i] / (mobility * water.density);
   const double per_force = dt / (water.density * (*water.volume)[0][i]);
   Velocities<dim> v;
@@ -47,7 +50,7 @@ Velocities<dim> DraggedSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& 
   Velocities<dim> v;
   for (int a = 0; a < dim; ++a) {
     const bool held = this->fixed(a, i);
-    NodalDrag node;
+    NodalDrag<> node;
     node.before = (*water.velocity)[a][i];
     node.solid_before = this->velocity_[a][i];
     node.pushed = node.before + per_force * (*water.force)[a][i];
@@ -67,7 +70,7 @@ Vector<dim> DraggedSkeleton<dim, Drag>::liquid_against(const TwoVelocityWater<di
   const double per_force = dt / (water.density * (*water.flow_volume)[0][i]);
   Vector<dim> v{};
   for (int a = 0; a < dim; ++a) {
-    NodalDrag node;
+    NodalDrag<> node;
     node.before = (*water.velocity)[a][i];
     node.solid_before = this->velocity_[a][i];
     node.pushed = node.before + per_force * (*water.force)[a][i];
@@ -79,28 +82,64 @@ Vector<dim> DraggedSkeleton<dim, Drag>::liquid_against(const TwoVelocityWater<di
 }
 
 template <int dim, class Drag>
-void DraggedSkeleton<dim, Drag>::solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) {
-  for (int index : nodes) {
-    const auto i = static_cast<std::size_t>(index);
-    for (int a = 0; a < dim; ++a) this->free_[a][i] = this->acceleration_[a][i];
-    if (water.walls.any(i)) {
-      // A wall carries the pressure against it: it would else be shared out between the phases and come back askew
-      // where the skeleton is held along one axis.
-      Vector<dim> force = at<dim>(*water.force, i);
-      water.walls.project(i, force);
-      put<dim>(*water.force, i, force);
-    }
-    Velocities<dim> v = driven(water, i, (*water.mobility)[0][i], dt);
-    if (water.walls.any(i)) {
-      Vector<dim> change{}, relative{};
-      for (int a = 0; a < dim; ++a) change[a] = relative[a] = v.liquid[a] - v.solid[a];
-      water.walls.project(i, relative);
-      for (int a = 0; a < dim; ++a) change[a] = relative[a] - change[a];
-      MovingSkeleton<dim>::change_relative(water, i, change, v);
-    }
-    put<dim>(*water.velocity_new, i, v.liquid);
-    MovingSkeleton<dim>::set_new(i, v.solid, dt);
+void DraggedSkeleton<dim, Drag>::solve(const TwoVelocityWater<dim>& water, const NodeRun& run, double dt) {
+  std::size_t i = run.first;
+  for (; i + lane_count <= run.last; i += lane_count) drag_freely<Lanes>(water, i, dt);
+  for (; i < run.last; ++i) drag_freely<double>(water, i, dt);
+}
+
+template <int dim, class Drag>
+template <class Number>
+void DraggedSkeleton<dim, Drag>::drag_freely(const TwoVelocityWater<dim>& water, std::size_t i, double dt) {
+  const auto at = [i](const Column& column, int a = 0) {
+    if constexpr (std::is_same_v<Number, double>)
+      return column[a][i];
+    else
+      return load(column[a] + i);
+  };
+  const auto put = [i](const Number& value, Column& column, int a) {
+    if constexpr (std::is_same_v<Number, double>)
+      column[a][i] = value;
+    else
+      store(value, column[a] + i);
+  };
+  const Number content = at(*water.content), volume = at(*water.volume), mass = at(this->mass_);
+  NodalDrag<Number> node;
+  node.drag = dt * content / (at(*water.mobility) * water.density);
+  node.ratio = water.density * volume * content / mass;
+  const Number per_force = dt / (water.density * at(*water.flow_volume));
+  for (int a = 0; a < dim; ++a) {
+    const Number free = at(this->acceleration_, a);
+    put(free, this->free_, a);
+    node.before = at(*water.velocity, a);
+    node.solid_before = at(this->velocity_, a);
+    node.pushed = node.before + per_force * at(*water.force, a);
+    node.both = node.solid_before + node.ratio * node.before + dt * free;
+    const Number liquid = Drag::liquid(node);
+    put(liquid, *water.velocity_new, a);
+    put((node.both - node.ratio * liquid - node.solid_before) / dt, this->acceleration_, a);
   }
+}
+
+template <int dim, class Drag>
+void DraggedSkeleton<dim, Drag>::solve_held(const TwoVelocityWater<dim>& water, std::size_t i, double dt) {
+  if (water.walls.any(i)) {
+    // A wall carries the pressure against it: it would else be shared out between the phases and come back askew
+    // where the skeleton is held along one axis.
+    Vector<dim> force = at<dim>(*water.force, i);
+    water.walls.project(i, force);
+    put<dim>(*water.force, i, force);
+  }
+  Velocities<dim> v = driven(water, i, (*water.mobility)[0][i], dt);
+  if (water.walls.any(i)) {
+    Vector<dim> change{}, relative{};
+    for (int a = 0; a < dim; ++a) change[a] = relative[a] = v.liquid[a] - v.solid[a];
+    water.walls.project(i, relative);
+    for (int a = 0; a < dim; ++a) change[a] = relative[a] - change[a];
+    MovingSkeleton<dim>::change_relative(water, i, change, v);
+  }
+  put<dim>(*water.velocity_new, i, v.liquid);
+  MovingSkeleton<dim>::set_new(i, v.solid, dt);
 }
 
 template <int dim>

@@ -64,8 +64,17 @@ class MovingSkeleton : public SkeletonAtNodes<dim> {
                        Velocities<dim>& v) const override;
   void set_new(std::size_t node, const Vector<dim>& solid, double dt) override;
   Vector<dim> get_new(std::size_t node, double dt) const override;
-  /// Step II at every node of the body: both velocities, walls, and the skeleton's as its acceleration.
-  virtual void solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) = 0;
+  /// Step II at nodes that lie one after the other, as if neither walls nor fixities held them: both velocities, the
+  /// skeleton's as its acceleration.
+  virtual void solve(const TwoVelocityWater<dim>& water, const NodeRun& run, double dt) = 0;
+  /// The same anew at a node that walls or fixities do hold.
+  virtual void solve_held(const TwoVelocityWater<dim>& water, std::size_t node, double dt) = 0;
+  /// Some axis of the skeleton is held there.
+  bool fixed(std::size_t node) const {
+    for (int a = 0; a < dim; ++a)
+      if (fixed(a, node)) return true;
+    return false;
+  }
 
   /// v_s + dt a with v_s as it was at the start of the step, when the column holds another one already.
   Vector<dim> get_new(Vector<dim> start, std::size_t node, double dt) const {
@@ -99,7 +108,12 @@ class DraggedSkeleton final : public MovingSkeleton<dim> {
                          double dt) const override;
   Vector<dim> liquid_against(const TwoVelocityWater<dim>& water, std::size_t node, const Vector<dim>& solid,
                              double dt) const override;
-  void solve(const TwoVelocityWater<dim>& water, const std::vector<int>& nodes, double dt) override;
+  void solve(const TwoVelocityWater<dim>& water, const NodeRun& run, double dt) override;
+  void solve_held(const TwoVelocityWater<dim>& water, std::size_t node, double dt) override;
+
+ private:
+  template <class Number>
+  void drag_freely(const TwoVelocityWater<dim>& water, std::size_t node, double dt);
 };
 
 }  // namespace wetfront::mpm

@@ -69,8 +69,8 @@ class TwoVelocityLiquid : public Effect<dim> {
   std::unique_ptr<MovingLiquid<dim>> moving_;  ///< likewise
   Column* point_water_ = nullptr;              ///< W_p
   Column* point_velocity_ = nullptr;           ///< v_l
-  std::vector<char> there_;                    ///< scratch of clear_left_nodes
   Column* steps_ = nullptr;                    ///< the last dt
+  bool outside_holds_ = true;                  ///< nodes that no cell with points has may hold something
   std::function<void()> content_, from_points_, forces_;
   std::unique_ptr<BlowUp<dim>> blow_up_;
   bool carried_before_ = false;  ///< the points have had their water in the stage before (coupled seepage)

@@ -70,7 +70,7 @@ ImpermeableWalls<dim>::ImpermeableWalls(const StagePlan<dim>& plan, const CutSur
     if (rained.contains(face)) continue;
     if (surface != nullptr && !surface->wets({face.begin(), face.end()})) continue;
     const Vector<dim> normal = share_of_face(grid, place);
-    for (int node : face) add_share(node, normal);
+    for (int node : face) shares_.emplace_back(node, normal);
   }
   gather(grid.node_count());
 }
@@ -82,52 +82,65 @@ ImpermeableWalls<dim>::ImpermeableWalls(const Grid<dim>& grid, const Body<dim>& 
 
 template <int dim>
 void ImpermeableWalls<dim>::find(const Grid<dim>& grid, const Body<dim>& body) {
+  shares_.clear();
   for (const auto& outer : body.outer()) {
     if (!outer.rains.empty()) continue;
     const Vector<dim> normal = share_of_face(grid, {outer.cell, outer.face});
-    for (int local : local_face<dim>(outer.face)) add_share(grid.cell_nodes_of(outer.cell)[local], normal);
+    for (int local : local_face<dim>(outer.face)) shares_.emplace_back(grid.cell_nodes_of(outer.cell)[local], normal);
   }
   gather(grid.node_count());
 }
 
-/// Groups the shares of each node by direction and makes the groups' sums orthonormal.
+/// Puts the shares of each node together, in their order, and makes of them what it forbids.
 template <int dim>
 void ImpermeableWalls<dim>::gather(std::size_t nodes) {
-  std::sort(shares_.begin(), shares_.end(),
-            [](const Share& a, const Share& b) { return a.node != b.node ? a.node < b.node : a.order < b.order; });
   for (const Node& walls : walls_) walls_of_[walls.index] = -1;
   walls_.clear();
+  ends_.clear();
   walls_of_.resize(nodes, -1);
-  for (std::size_t k = 0; k < shares_.size();) {
-    Node walls;
-    walls.index = static_cast<std::size_t>(shares_[k].node);
-    groups_.clear();
-    for (; k < shares_.size() && static_cast<std::size_t>(shares_[k].node) == walls.index; ++k) {
-      const Vector<dim>& normal = shares_[k].part;
-      const auto near = std::find_if(groups_.begin(), groups_.end(), [&](const Vector<dim>& other) {
-        return dot<dim>(normal, other) > std::sqrt(0.5 * dot<dim>(normal, normal) * dot<dim>(other, other));
-      });
-      if (near == groups_.end())
-        groups_.push_back(normal);
-      else
-        for (int a = 0; a < dim; ++a) (*near)[a] += normal[a];
+  for (const Share& share : shares_) {
+    int& place = walls_of_[static_cast<std::size_t>(share.first)];
+    if (place < 0) {
+      place = static_cast<int>(walls_.size());
+      walls_.push_back({static_cast<std::size_t>(share.first), 0, {}});
+      ends_.push_back(0);
     }
-    for (Vector<dim> d : groups_) {
-      const double size = std::sqrt(dot<dim>(d, d));
-      for (int other = 0; other < walls.count; ++other) {
-        const Vector<dim>& known = walls.direction[static_cast<std::size_t>(other)];
-        const double along = dot<dim>(d, known);
-        for (int a = 0; a < dim; ++a) d[a] -= along * known[a];
-      }
-      const double rest = std::sqrt(dot<dim>(d, d));
-      if (rest < 1e-6 * size || walls.count == dim) continue;  // already forbidden
-      for (double& component : d) component /= rest;
-      walls.direction[static_cast<std::size_t>(walls.count++)] = d;
-    }
-    walls_of_[walls.index] = static_cast<int>(walls_.size());
-    walls_.push_back(walls);
+    ++ends_[static_cast<std::size_t>(place)];
   }
-  shares_.clear();
+  std::size_t end = 0;
+  for (std::size_t k = 0; k < walls_.size(); ++k) end += std::exchange(ends_[k], end);
+  normals_.resize(end);
+  for (const Share& share : shares_)
+    normals_[ends_[static_cast<std::size_t>(walls_of_[static_cast<std::size_t>(share.first)])]++] = share.second;
+  for (std::size_t k = 0, first = 0; k < walls_.size(); first = ends_[k++])
+    forbid(std::span(normals_).subspan(first, ends_[k] - first), walls_[k]);
+}
+
+/// Groups shares by direction and makes the groups' sums orthonormal.
+template <int dim>
+void ImpermeableWalls<dim>::forbid(std::span<const Vector<dim>> normals, Node& walls) {
+  groups_.clear();
+  for (const Vector<dim>& normal : normals) {
+    const auto near = std::find_if(groups_.begin(), groups_.end(), [&](const Vector<dim>& other) {
+      return dot<dim>(normal, other) > std::sqrt(0.5 * dot<dim>(normal, normal) * dot<dim>(other, other));
+    });
+    if (near == groups_.end())
+      groups_.push_back(normal);
+    else
+      for (int a = 0; a < dim; ++a) (*near)[a] += normal[a];
+  }
+  for (Vector<dim> d : groups_) {
+    const double size = std::sqrt(dot<dim>(d, d));
+    for (int other = 0; other < walls.count; ++other) {
+      const Vector<dim>& known = walls.direction[static_cast<std::size_t>(other)];
+      const double along = dot<dim>(d, known);
+      for (int a = 0; a < dim; ++a) d[a] -= along * known[a];
+    }
+    const double rest = std::sqrt(dot<dim>(d, d));
+    if (rest < 1e-6 * size || walls.count == dim) continue;  // already forbidden
+    for (double& component : d) component /= rest;
+    walls.direction[static_cast<std::size_t>(walls.count++)] = d;
+  }
 }
 
 template class ImpermeableWalls<2>;

@@ -3,6 +3,7 @@
 #include "mpm/two_velocity/body.h"
 #include "mpm/two_velocity/cut_surface.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,9 @@ class ImpermeableWalls {
     }
   }
   bool any(std::size_t node) const { return walls_of_[node] >= 0; }
+  /// Nodes with walls, in the order in which the faces name them.
+  std::size_t size() const { return walls_.size(); }
+  std::size_t node(std::size_t k) const { return walls_[k].index; }
   /// No direction is left.
   bool closed(std::size_t node) const {
     return walls_of_[node] >= 0 && walls_[static_cast<std::size_t>(walls_of_[node])].count == dim;
@@ -46,20 +50,18 @@ class ImpermeableWalls {
     int count = 0;
     std::array<Vector<dim>, dim> direction{};  ///< orthonormal
   };
-  /// A node and the share of a face there; `order`: among all of them, so that a sort is stable without a buffer.
-  struct Share {
-    int node, order;
-    Vector<dim> part;
-  };
-  void add_share(int node, const Vector<dim>& part) {
-    shares_.push_back({node, static_cast<int>(shares_.size()), part});
-  }
+  /// A node and the share of a face there.
+  using Share = std::pair<int, Vector<dim>>;
   void gather(std::size_t nodes);
+  void forbid(std::span<const Vector<dim>> normals, Node& walls);
 
   std::vector<int> walls_of_;  ///< per node, into walls_; -1: none
   std::vector<Node> walls_;
-  std::vector<Share> shares_;        ///< scratch of gather, kept: bodies that move find their walls again and again
-  std::vector<Vector<dim>> groups_;  ///< scratch: sums over the faces of one direction
+  // Kept from one body to the next for their memory alone:
+  std::vector<Share> shares_;
+  std::vector<std::size_t> ends_;     ///< of the shares of each of walls_
+  std::vector<Vector<dim>> normals_;  ///< the shares, node by node
+  std::vector<Vector<dim>> groups_;
 };
 
 }  // namespace wetfront::mpm
