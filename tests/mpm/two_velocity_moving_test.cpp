@@ -20,6 +20,9 @@ TEST(TabulatedContent, InvertsItselfAndFollowsTheClosedLaw) {
       EXPECT_NEAR(content / closed.value(p), 1, 1e-8) << p << ": the bound of LogTable for these laws";
     }
     EXPECT_NEAR(table.pressure_of(closed.value(1e5)), 1e5, 1e-3);
+    // Wetter, the liquid's own compressibility is no small part of 1 - content; drier, of content - s_min.
+    for (double p = -150; p > -2e4; p *= 1.07)
+      EXPECT_NEAR(table.slope_near(table.value(p)) / table.slope(p), 1, 1e-2) << p;
   }
 }
 
