@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 
 #ifdef __AVX__
@@ -38,6 +40,23 @@ using LaneMask = Lanes::mask_type;
 }
 [[gnu::always_inline]] inline void store(const Lanes& value, double* to) {
   value.copy_to(to, std::experimental::element_aligned);
+}
+/// One entry of a column, or four: what `in_lanes` gives its body.
+template <class Number>
+[[gnu::always_inline]] inline Number load(const double* from) {
+  if constexpr (std::is_same_v<Number, double>)
+    return *from;
+  else
+    return load(from);
+}
+[[gnu::always_inline]] inline void store(double value, double* to) {
+  *to = value;
+}
+/// body<Lanes>(i) for first, first + 4, ... and body<double>(i) for the rest below last.
+template <class Body>
+[[gnu::always_inline]] inline void in_lanes(std::size_t first, std::size_t last, const Body& body) {
+  for (; first + lane_count <= last; first += lane_count) body.template operator()<Lanes>(first);
+  for (; first < last; ++first) body.template operator()<double>(first);
 }
 [[gnu::always_inline]] inline double sum(const Lanes& value) {
   return (value[0] + value[1]) + (value[2] + value[3]);

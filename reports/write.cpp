@@ -41,14 +41,10 @@ void render(const Record& record, const std::filesystem::path& folder) {
 
 void make_writable(const std::filesystem::path& folder) {
   make_folder(folder);
+  for (const auto& part : {folder, folder / "figures", folder / "fields"}) clear_half_written(part);
   const std::filesystem::path trial = folder / ".trial";
   write_whole(trial, "x");
   std::filesystem::remove(trial);
-}
-
-void claim(const std::filesystem::path& folder) {
-  make_writable(folder);
-  for (const auto& part : {folder, folder / "figures", folder / "fields"}) clear_half_written(part);
 }
 
 void write_result(const Record& record, const std::filesystem::path& folder) {

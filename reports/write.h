@@ -7,13 +7,10 @@
 
 namespace wetfront::reports {
 
-/// Makes the folder and tries whether a file can be put there. Throws std::runtime_error naming the folder and the
-/// system's reason: to be called before a long computation, not after it.
+/// Makes the folder, clears from it what a run that was killed while it wrote left half-written, and tries whether a
+/// file can be put there. Throws std::runtime_error naming the folder and the system's reason: to be called before a
+/// long computation, not after it, by the one process that writes there.
 void make_writable(const std::filesystem::path& folder);
-
-/// As make_writable, for a run whose folder is its own: also clears what an earlier run of it that was killed while it
-/// wrote left half-written.
-void claim(const std::filesystem::path& folder);
 
 /// Writes result.json (schema: result.schema.json), figures/ (CSV, gnuplot script and SVG of each) and report.html into
 /// `folder`, and adds the run to its history.jsonl (run_history.h). Throws std::runtime_error naming the file that

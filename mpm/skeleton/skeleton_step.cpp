@@ -11,14 +11,12 @@ namespace {
 /// of/mass at the nodes of the runs, 0 where there is no mass. (Four at a time: a compiler does not divide where the
 /// program says that it shall not.)
 void per_mass(const std::vector<NodeRun>& runs, const double* of, const double* mass, double* out) {
-  for (const NodeRun& run : runs) {
-    std::size_t i = run.first;
-    for (; i + lane_count <= run.last; i += lane_count) {
-      const Lanes m = load(mass + i);
-      store(select(m > 0.0, load(of + i) / m, Lanes(0.0)), out + i);
-    }
-    for (; i < run.last; ++i) out[i] = mass[i] > 0 ? of[i] / mass[i] : 0.0;
-  }
+  for (const NodeRun& run : runs)
+    in_lanes(
+        run.first, run.last, [=]<class Number>(std::size_t i) __attribute__((always_inline)) {
+          const Number m = load<Number>(mass + i);
+          store(select(m > 0.0, load<Number>(of + i) / m, Number(0.0)), out + i);
+        });
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 
 namespace wetfront::mpm {
@@ -62,31 +61,20 @@ void BlowUp<dim>::remember() {
 template <int dim>
 template <class Number>
 auto BlowUp<dim>::look_at(std::size_t i) {
-  const auto at = [i](double* column) -> Number {
-    if constexpr (std::is_same_v<Number, double>)
-      return column[i];
-    else
-      return load(column + i);
-  };
-  const auto put = [i](const Number& value, double* column) {
-    if constexpr (std::is_same_v<Number, double>)
-      column[i] = value;
-    else
-      store(value, column + i);
-  };
   Number along(0.0), square(0.0), square_before(0.0);
   for (int a = 0; a < dim; ++a) {
-    const Number last = at(change_[a]), now = at((*water_.flux)[a]) - at(before_[a]);
+    const Number last = load<Number>(change_[a] + i),
+                 now = load<Number>((*water_.flux)[a] + i) - load<Number>(before_[a] + i);
     along += last * now;
     square += now * now;
     square_before += last * last;
-    put(now, change_[a]);
+    store(now, change_[a] + i);
   }
   // Opposed within 60 degrees.
   const auto opposed = along < 0.0 && along * along > 0.25 * square * square_before;
-  const Number streak = select(opposed, at(streak_[reversals]) + 1.0, Number(0.0));
-  put(streak, streak_[reversals]);
-  const Number most = max(growth * growth * at(streak_[largest_at_first]), Number(floor_));
+  const Number streak = select(opposed, load<Number>(streak_[reversals] + i) + 1.0, Number(0.0));
+  store(streak, streak_[reversals] + i);
+  const Number most = max(growth * growth * load<Number>(streak_[largest_at_first] + i), Number(floor_));
   return std::pair{square, streak >= static_cast<double>(shortest_) && square > most};
 }
 

@@ -55,7 +55,7 @@ bool Body<dim>::update() {
   cells_.clear();
   constexpr char listed = 2;
   for (const Block& block : points.blocks()) {
-    if (!occupied(static_cast<int>(block.cell))) change(block.cell, true);
+    if (occupied_[block.cell] == 0) change(block.cell, true);
     if (occupied_[block.cell] == listed) continue;  // two soils in one cell
     occupied_[block.cell] = listed;
     cells_.push_back(block.cell);
@@ -121,8 +121,8 @@ void Body<dim>::find_outer() {
 
 template <int dim>
 void Body<dim>::find_surface() {
-  for (std::size_t cell : surface_cells_) was_surface_[cell] = 1;
-  const std::vector<std::size_t>& before = surface_before_ = surface_cells_;
+  surface_before_.swap(surface_cells_);
+  for (std::size_t cell : surface_before_) was_surface_[cell] = 1;
   for (std::size_t cell : near_) at_surface_[cell] = open_[cell] = 0;
   surface_cells_.clear();
   near_.clear();
@@ -136,7 +136,7 @@ void Body<dim>::find_surface() {
   }
   for (std::size_t cell : surface_cells_)
     if (was_surface_[cell] == 0) changed_.push_back(cell);
-  for (std::size_t cell : before) {
+  for (std::size_t cell : surface_before_) {
     was_surface_[cell] = 0;
     if (!at_surface(cell)) changed_.push_back(cell);
   }

@@ -30,7 +30,7 @@ void MovingLiquid<dim>::balance(double dt, bool as_printed) {
     double out = 0;
     members_.clear();
     for (std::size_t at : group.blocks) {
-      const int soil = static_cast<int>(at / geometry_.size());
+      const int soil = static_cast<int>(at / cells_);
       const std::size_t cell = cell_of(at);
       members_.push_back({cell, plan_.fields.grid.cell_nodes_of(cell), plan_.fields.points.first_slot(cell, soil),
                           plan_.fields.points.count_of_cell()[at], soil});

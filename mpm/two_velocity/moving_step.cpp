@@ -65,11 +65,11 @@ template <int dim>
 double MovingLiquid<dim>::least_drag() const {
   const double *content = (*w_.content)[0], *mobility = (*w_.mobility)[0];
   Lanes least(std::numeric_limits<double>::infinity());
-  for (const NodeRun& run : body_.node_runs()) {
-    std::size_t i = run.first;
-    for (; i + lane_count <= run.last; i += lane_count) least = min(least, load(content + i) / load(mobility + i));
-    for (; i < run.last; ++i) least = min(least, Lanes(content[i] / mobility[i]));
-  }
+  for (const NodeRun& run : body_.node_runs())
+    in_lanes(
+        run.first, run.last, [&]<class Number>(std::size_t i) __attribute__((always_inline)) {
+          least = min(least, Lanes(load<Number>(content + i) / load<Number>(mobility + i)));
+        });
   return std::experimental::hmin(least) / w_.density;
 }
 

@@ -4,8 +4,6 @@
 #include "mpm/lanes.h"
 #include "mpm/two_velocity/water.h"
 
-#include <type_traits>
-
 namespace wetfront::mpm {
 
 template <int dim, class Drag>
@@ -39,6 +37,19 @@ Vector<dim> MovingSkeleton<dim>::velocity(std::size_t i) const {
   return v;
 }
 
+/// One axis of a node, or of four, before anything is said of the skeleton's momentum.
+template <int dim, class Drag>
+template <class Number>
+NodalDrag<Number> DraggedSkeleton<dim, Drag>::before_drag(const TwoVelocityWater<dim>& water, std::size_t i, int axis,
+                                                          const Number& per_force, const Number& drag) const {
+  NodalDrag<Number> node;
+  node.before = load<Number>((*water.velocity)[axis] + i);
+  node.solid_before = load<Number>(this->velocity_[axis] + i);
+  node.pushed = node.before + per_force * load<Number>((*water.force)[axis] + i);
+  node.drag = drag;
+  return node;
+}
+
 /// Two equations per axis (d = dt r, m = m_l/m_s, a = F/m_s with the force F on both phases), drag as `Drag` says:
 ///   v_l' = v_l + dt F_l/(rho_l V) - d (v_l - v_s),   v_s' + m v_l' = v_s + m v_l + dt a.
 template <int dim, class Drag>
@@ -50,13 +61,9 @@ Velocities<dim> DraggedSkeleton<dim, Drag>::driven(const TwoVelocityWater<dim>& 
   Velocities<dim> v;
   for (int a = 0; a < dim; ++a) {
     const bool held = this->fixed(a, i);
-    NodalDrag<> node;
-    node.before = (*water.velocity)[a][i];
-    node.solid_before = this->velocity_[a][i];
-    node.pushed = node.before + per_force * (*water.force)[a][i];
+    NodalDrag<> node = before_drag(water, i, a, per_force, drag);
     node.both = held ? 0 : node.solid_before + ratio * node.before + dt * this->free_[a][i];
     node.ratio = held ? 0 : ratio;
-    node.drag = drag;
     v.liquid[a] = Drag::liquid(node);
     v.solid[a] = held ? 0 : node.both - ratio * v.liquid[a];
   }
@@ -70,12 +77,8 @@ Vector<dim> DraggedSkeleton<dim, Drag>::liquid_against(const TwoVelocityWater<di
   const double per_force = dt / (water.density * (*water.flow_volume)[0][i]);
   Vector<dim> v{};
   for (int a = 0; a < dim; ++a) {
-    NodalDrag<> node;
-    node.before = (*water.velocity)[a][i];
-    node.solid_before = this->velocity_[a][i];
-    node.pushed = node.before + per_force * (*water.force)[a][i];
+    NodalDrag<> node = before_drag(water, i, a, per_force, drag);
     node.both = solid[a];  // whatever the liquid does to it
-    node.drag = drag;
     v[a] = Drag::liquid(node);
   }
   return v;
@@ -83,41 +86,26 @@ Vector<dim> DraggedSkeleton<dim, Drag>::liquid_against(const TwoVelocityWater<di
 
 template <int dim, class Drag>
 void DraggedSkeleton<dim, Drag>::solve(const TwoVelocityWater<dim>& water, const NodeRun& run, double dt) {
-  std::size_t i = run.first;
-  for (; i + lane_count <= run.last; i += lane_count) drag_freely<Lanes>(water, i, dt);
-  for (; i < run.last; ++i) drag_freely<double>(water, i, dt);
+  in_lanes(run.first, run.last, [&]<class Number>(std::size_t i) { drag_freely<Number>(water, i, dt); });
 }
 
 template <int dim, class Drag>
 template <class Number>
 void DraggedSkeleton<dim, Drag>::drag_freely(const TwoVelocityWater<dim>& water, std::size_t i, double dt) {
-  const auto at = [i](const Column& column, int a = 0) {
-    if constexpr (std::is_same_v<Number, double>)
-      return column[a][i];
-    else
-      return load(column[a] + i);
-  };
-  const auto put = [i](const Number& value, Column& column, int a) {
-    if constexpr (std::is_same_v<Number, double>)
-      column[a][i] = value;
-    else
-      store(value, column[a] + i);
-  };
+  const auto at = [i](const Column& column) { return load<Number>(column[0] + i); };
   const Number content = at(*water.content), volume = at(*water.volume), mass = at(this->mass_);
-  NodalDrag<Number> node;
-  node.drag = dt * content / (at(*water.mobility) * water.density);
-  node.ratio = water.density * volume * content / mass;
+  const Number drag = dt * content / (at(*water.mobility) * water.density);
+  const Number ratio = water.density * volume * content / mass;
   const Number per_force = dt / (water.density * at(*water.flow_volume));
   for (int a = 0; a < dim; ++a) {
-    const Number free = at(this->acceleration_, a);
-    put(free, this->free_, a);
-    node.before = at(*water.velocity, a);
-    node.solid_before = at(this->velocity_, a);
-    node.pushed = node.before + per_force * at(*water.force, a);
-    node.both = node.solid_before + node.ratio * node.before + dt * free;
+    const Number free = load<Number>(this->acceleration_[a] + i);
+    store(free, this->free_[a] + i);
+    NodalDrag<Number> node = before_drag(water, i, a, per_force, drag);
+    node.ratio = ratio;
+    node.both = node.solid_before + ratio * node.before + dt * free;
     const Number liquid = Drag::liquid(node);
-    put(liquid, *water.velocity_new, a);
-    put((node.both - node.ratio * liquid - node.solid_before) / dt, this->acceleration_, a);
+    store(liquid, (*water.velocity_new)[a] + i);
+    store((node.both - ratio * liquid - node.solid_before) / dt, this->acceleration_[a] + i);
   }
 }
 

@@ -113,6 +113,9 @@ class DraggedSkeleton final : public MovingSkeleton<dim> {
 
  private:
   template <class Number>
+  NodalDrag<Number> before_drag(const TwoVelocityWater<dim>& water, std::size_t node, int axis, const Number& per_force,
+                                const Number& drag) const;
+  template <class Number>
   void drag_freely(const TwoVelocityWater<dim>& water, std::size_t node, double dt);
 };
 

@@ -28,7 +28,7 @@ std::vector<reports::Finding> bounds(Scene scene, const Timeline& timeline,
 
 ReferenceResult run_reference(const Scene& scene, const std::filesystem::path& folder, const ReferenceStore& store) {
   const Timeline times = timeline(scene);
-  reports::claim(folder);
+  reports::make_writable(folder);
   ReferenceResult result;
   result.runs = solve_references(scene, times, store);
   const meshes::FieldHistory& history = result.runs.reference.history;

@@ -270,7 +270,7 @@ RunResult run_scene(const Scene& scene, const std::filesystem::path& folder, con
                       "checkpoint). Leave one of the two out."});
   const Prepared prepared = prepare(scene);
   if (options.ledger) check_ledger(scene, prepared.timeline);
-  reports::claim(folder);  // before hours are spent on what could not be kept
+  reports::make_writable(folder);  // before hours are spent on what could not be kept
   const Stopping stopping{checkpoint_of(scene, folder), options.checkpoint_every, options.resume};
   RunResult result = accuracy > 0
                          ? run_prepared(prepared, options.store, solve_to_accuracy(scene, prepared.timeline, accuracy))
