@@ -149,11 +149,13 @@ int Migration<dim>::hand_over(std::size_t cell, std::size_t slot, const Vector<d
   return found >= 0 ? found : static_cast<int>(hold(static_cast<std::size_t>(start), slot, inside));
 }
 
-/// Puts a point that has left the mesh back onto its border; returns the cell. As few axes as possible are put back,
+/// Puts a point that has left the mesh back to its border; returns the cell. As few axes as possible are put back,
 /// for the point may have entered a neighbour along another: a point that leaves through the base while it passes an
-/// upright face of its cell goes on along the base.
+/// upright face of its cell goes on along the base. A hair inside the border, as on it the nodes behind would take
+/// nothing of a point that is alone in its cell: nodes of a body without mass, whose means are 0/0.
 template <int dim>
 std::size_t Migration<dim>::hold(std::size_t cell, std::size_t slot, const Vector<dim>& x) {
+  constexpr double border = 1 - 1e-6;  // in coordinates of a cell, -1..1; N there keeps ten digits
   const auto& grid = plan_.fields.grid;
   const Vector<dim> xi = grid.local(cell, x);
   count_[migration_held][0] += 1;
@@ -162,7 +164,7 @@ std::size_t Migration<dim>::hold(std::size_t cell, std::size_t slot, const Vecto
       if (std::popcount(axes) != most) continue;
       Vector<dim> held = xi;
       for (int a = 0; a < dim; ++a)
-        if (axes & (1u << a)) held[a] = std::clamp(xi[a], -1.0, 1.0);
+        if (axes & (1u << a)) held[a] = std::clamp(xi[a], -border, border);
       const Vector<dim> back = grid.place(cell, held);
       const int home = grid.find_cell(back, static_cast<int>(cell));
       if (home < 0) continue;

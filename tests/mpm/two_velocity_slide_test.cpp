@@ -1,5 +1,6 @@
 #include "tests/mpm/continuation.h"
 #include "tests/mpm/plane.h"
+#include "tests/mpm/sheared_sand.h"
 #include "tests/mpm/two_velocity_scenes.h"
 
 #include <gtest/gtest.h>
@@ -44,6 +45,27 @@ Problem<2> wet_slope(double end) {
 double total(const State& state, const char* column) {
   const auto& values = state.fields.at(column);
   return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Wet points, one to a cell, driven against the border of the mesh: alone in its cell and exactly on the border a point
+/// would give the nodes behind it nothing, and their content of water would be 0/0.
+TEST(WetPoints, HeldAtTheBorderLeaveNoNodeWithoutMass) {
+  Problem<2> problem = sheared_wet_sand(64, 1, 1);
+  problem.gravity = {0, 0};
+  problem.fixities.clear();
+  problem.initial_velocity = [](const std::array<double, 2>& x) { return std::array<double, 2>{2 + x[1], 0}; };
+  problem.stages[0].end_time = 0.2;
+  Simulation<2> simulation(problem);
+  while (!simulation.finished()) simulation.step();
+  const State state = simulation.state();
+  EXPECT_GT(simulation.take_history().counters.at("points held at the mesh border"), 100);
+  double right = 0;
+  for (const auto& x : problem.mesh.nodes) right = std::max(right, x[0]);
+  const auto& x = state.fields.at("point.position");
+  EXPECT_NEAR(*std::max_element(x.begin(), x.begin() + 64), right, 1e-6 * 0.05);
+  for (const auto& [name, values] : state.fields)
+    if (name != "step cap")
+      for (double value : values) ASSERT_TRUE(std::isfinite(value)) << name;
 }
 
 TEST(WetSlope, SlidesThroughCellsAndKeepsItsWater) {
