@@ -10,12 +10,12 @@ namespace wetfront::mpm {
 /// Takes points to the cells they have moved to. Who moves points notes those that have left their cell; nothing is
 /// done about the others. The only place where points change cells (and later, owners).
 ///
-/// A point that would leave the mesh is held at its border: put back to the face it went through, a hair inside, without the
-/// part of its velocity that points outwards. It is counted, and the count is told in the history: "points held at the mesh
-/// border" (each time anew). One that leaves through a periodic side (`PeriodicSkeleton`) comes in again at the
-/// partner, with all it carries: its place and its place at the start are moved by what lies between the two, so
-/// displacements go on. "points handed to the periodic partner" counts these. A point may enter cells of another soil
-/// and keeps its own. With two velocities, whose laws of water belong to cells, that stops the run.
+/// A point that would leave the mesh is held at its border: put back to the face it went through, a hair inside,
+/// without the part of its velocity that points outwards. It is counted, and the count is told in the history: "points
+/// held at the mesh border" (each time anew). One that leaves through a periodic side (`PeriodicSkeleton`) comes in
+/// again at the partner, with all it carries: its place and its place at the start are moved by what lies between the
+/// two, so displacements go on. "points handed to the periodic partner" counts these. A point may enter cells of
+/// another soil and keeps its own. With two velocities, whose laws of water belong to cells, that stops the run.
 template <int dim>
 class Migration {
  public:
